@@ -18,9 +18,8 @@
 
 /* A quick frame of the Cornell box with more arguments. */
 static void expect_box(int status, const char *format, ...) {
-    char arguments[1600] = "scenes/cornell-box.glb --size 40x30 --set vpls=64 --set vals=4"
-                           " --set map-size=32 --set rsm-size=64 --set shadow-size=128"
-                           " --set samples=1 ";
+    char arguments[1600] = "scenes/cornell-box.glb --size 40x30 --set vpls=64 --set vals=4 --set "
+                           "map-size=32 --set rsm-size=64 --set shadow-size=128 --set samples=1 ";
     size_t used = strlen(arguments);
     va_list more;
     va_start(more, format);
@@ -49,8 +48,8 @@ TEST(usage_errors) {
         {"a.glb -o b.png --set terms=17", "terms: '17' is not a whole number from 1 to 16"},
         {"a.glb -o b.png --set vals=many", "vals"},
         {"a.glb -o b.png --set nothing=1", "nothing"},
-        {"a.glb -o b.png --set path=slow", "path: 'slow' is not one of clustered's: draft, fast, "
-                                           "normal, traced, high, maps, paper"},
+        {"a.glb -o b.png --set path=slow",
+         "path: 'slow' is not one of clustered's: draft, fast, normal, traced, high, maps, paper"},
         {"a.glb -o b.png --direct soft",
          "no direct light is called 'soft' (there is hard, pcss, samples, vssm, msm, cssm)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
@@ -149,8 +148,7 @@ TEST(own_texture) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const char *images = form("\"images\": [{\"uri\": \"%s\"}],", names[i]);
         expect_command(1, "render",
-                       form("%s --size 8x8 -o %s",
-                            write_parts("own.glb", &(struct gltf_parts){.more = images}),
+                       form("%s --size 8x8 -o %s", write_parts("own.glb", &PARTS(.more = images)),
                             scratch("own.png")));
         expect_text("own.png: it is the input");
     }
@@ -300,11 +298,10 @@ TEST(phases) {
 TEST(passes_progress) {
     char command[1024];
     need_command("script -qec true /dev/null");
-    snprintf(
-        command, sizeof command,
-        "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 -o "
-        "%s' /dev/null",
-        binary_path(), scratch("passes-#.exr"));
+    snprintf(command, sizeof command,
+             "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 "
+             "-o %s' /dev/null",
+             binary_path(), scratch("passes-#.exr"));
     assert_int_equal(run_command(command, output, sizeof output), 0);
     expect_text(" left  frame 2, pass ");
     expect_text("of 4\033[K");
@@ -379,8 +376,8 @@ TEST(gathered) {
 
 /* With a VAL for each VPL the share is the clustered light over the unshadowed. */
 TEST(visibility_share) {
-    const char *settings = "vpls=64 vals=64 interleave=1 clamp=disk visibility=hard "
-                           "visibility-block=0 map-size=128";
+    const char *settings =
+        "vpls=64 vals=64 interleave=1 clamp=disk visibility=hard visibility-block=0 map-size=128";
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     OWNED(image) image = append_layers(&stage, "clustered", settings, "visibility", &renderer);

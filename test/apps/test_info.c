@@ -45,8 +45,9 @@ TEST(glass_and_slide) {
     assert_int_equal(info("scenes/gem.glb"), 0);
     expect_text("transmission 1, index of refraction ");
     need_command("python3 -c 1");
-    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb && % info"
-              " @/slide.glb");
+    expect(
+        0,
+        "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb && % info @/slide.glb");
     expect_text("cone 28.71 to 29 degrees, slide of 1 x 1 texels\n");
 }
 
@@ -57,17 +58,14 @@ TEST(point_light) {
 
 /* Names are those of nodes, as in messages; of what a node without a name carries. */
 TEST(names) {
-    const char *path = write_parts(
-        "names.glb",
-        &(struct gltf_parts){
-            .nodes = "[{\"mesh\": 0}, {\"name\": \"Eye node\", \"camera\": 0}, {\"camera\": 0},"
-                     " {\"name\": \"Lamp node\", \"extensions\": {\"KHR_lights_punctual\":"
-                     " {\"light\": 0}}}, {\"extensions\": {\"KHR_lights_punctual\":"
-                     " {\"light\": 0}}}]",
-            .more = "\"cameras\": [{\"name\": \"Eye data\", \"type\": \"perspective\","
-                    " \"perspective\": {\"yfov\": 1, \"znear\": 1}}], \"extensions\":"
-                    " {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"Lamp data\","
-                    " \"type\": \"point\"}]}},"});
+    const char *path =
+        write_parts("names.glb",
+                    &PARTS(.nodes = "[{mesh: 0}, {name: 'Eye node', camera: 0}, {camera: 0}, "
+                                    "{name: 'Lamp node', extensions: {KHR_lights_punctual: {light: "
+                                    "0}}}, {extensions: {KHR_lights_punctual: {light: 0}}}]",
+                           .more = "cameras: [{name: 'Eye data', type: perspective, perspective: "
+                                   "{yfov: 1, znear: 1}}], extensions: {KHR_lights_punctual: "
+                                   "{lights: [{name: 'Lamp data', type: point}]}},"));
     assert_int_equal(info(path), 0);
     expect_text("  0  Eye node             perspective");
     expect_text("  1  Eye data             perspective");
@@ -91,21 +89,22 @@ TEST(aspect) {
         {"--camera '1 eye=0,0,3'", "800x50", ""},
         {"--camera 1 --size 16x8", "16x8", ""},
     };
-    const char *path =
-        form("%s",
-             write_parts(
-                 "aspect.glb",
-                 &(struct gltf_parts){
-                     .nodes = "[{\"mesh\": 0}, {\"camera\": 0}, {\"camera\": 1}, {\"camera\": 2},"
-                              " {\"camera\": 3}, {\"camera\": 4}, {\"camera\": 5}]",
-                     .more = "\"cameras\": [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
-                         ", \"aspectRatio\": 0.1") ",{\"type\": \"orthographic\","
-                                                   " \"orthographic\": {\"xmag\": -8, \"ymag\": 1, "
-                                                   "\"znear\": 0, \"zfar\": 9}}," EYE(
-                                                       ", "
-                                                       "\"aspectRatio\": "
-                                                       "0") "," EYE(", \"aspectRatio\": "
-                                                                    "1e9") "],"}));
+    const char *path = form(
+        "%s", write_parts("aspect.glb",
+                          &PARTS(
+                                  .nodes = "[{mesh: 0}, {camera: 0}, {camera: 1}, {camera: 2}, "
+                                           "{camera: 3}, {camera: 4}, {camera: 5}]",
+                                  .more =
+                                      "cameras: [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
+                                          ", \"aspectRatio\": 0.1") ",{type: orthographic, "
+                                                                    "orthographic: {xmag: -8, "
+                                                                    "ymag: 1, znear: 0, zfar: "
+                                                                    "9}}," EYE(", \"aspectRatio\": "
+                                                                               "0") "," EYE(", "
+                                                                                            "\"aspe"
+                                                                                            "ctRati"
+                                                                                            "o\": "
+                                                                                            "1e9") "],")));
     assert_int_equal(info(path), 0);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         expect_text(rows[i].says);
@@ -126,8 +125,8 @@ TEST(aspect) {
 }
 
 #define SAME(of)                                                                                   \
-    "% info " of " >@/text && % info --json " of " >@/json && "                                    \
-    "python3 test/apps/check_info.py @/text @/json"
+    "% info " of " >@/text && % info --json " of                                                   \
+    " >@/json && python3 test/apps/check_info.py @/text @/json"
 
 /* As JSON the same facts, whatever names have in them; nothing where a part fails. */
 TEST(json) {
@@ -137,9 +136,9 @@ TEST(json) {
     expect(0, SAME("scenes/gem.glb"));
     expect(0, SAME("scenes/table.glb"));
     write_parts("hostile.glb",
-                &(struct gltf_parts){.nodes = "[{\"mesh\": 0}, {\"name\": \"a\\\"}], \\\\\\n\\u0001"
-                                              "\\u00e4\\ud83d\\ude00%s\", \"camera\": 0}]",
-                                     .more = "\"cameras\": [" EYE(", \"zfar\": 9.5") "],"});
+                &PARTS(.nodes = "[{mesh: 0}, {name: \"a\\\"}], "
+                                "\\\\\\n\\u0001\\u00e4\\ud83d\\ude00%s\", camera: 0}]",
+                       .more = "cameras: [" EYE(", \"zfar\": 9.5") "],"));
     expect(0, SAME("@/hostile.glb"));
     expect(0, "grep -F 'a\\\"}], \\\\' @/json");
     expect(1, "% info --json @/no-such-scene.glb 2>&1 >@/json; r=$?; test ! -s @/json && exit $r");

@@ -50,10 +50,9 @@ static int write_floor(void **state) {
     (void)state;
     write_parts(
         "floor.glb",
-        &(struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0,"
-                                          " \"baseColorFactor\": [0, 0, 0, 1]}}]",
-                             .nodes = "[{\"mesh\": 0, \"matrix\": [12,0,0,0, 0,0,-12,0, 0,12,0,0,"
-                                      " -6,0,6,1]}]"});
+        &PARTS(.materials =
+                   "[{pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: [0, 0, 0, 1]}}]",
+               .nodes = "[{mesh: 0, matrix: [12,0,0,0, 0,0,-12,0, 0,12,0,0, -6,0,6,1]}]"));
     return 0;
 }
 
@@ -122,8 +121,8 @@ TEST(sphere) {
 TEST(even_sky) {
     static const char *const ways[] = {"--bounces 0", "--by frame --bounces 1"};
     for (int way = 0; way < 2; way++) {
-        const char *line = form("@/floor.glb --environment cie:5 --light sky --unit W/m2 "
-                                "--grid -2,0,2,4,0,0,0,0,-4,3x1 %s",
+        const char *line = form("@/floor.glb --environment cie:5 --light sky --unit W/m2 --grid "
+                                "-2,0,2,4,0,0,0,0,-4,3x1 %s",
                                 ways[way]);
         probe(line);
         for (int i = 0; i < row_count; i++)
@@ -168,16 +167,16 @@ TEST(map) {
         check_near("over the table's", (double)*image_at(&map, i % 3, 1 - i / 3) / total(i), 1,
                    1e-5);
     expect_command(0, "probe",
-                   "scenes/cornell-box.glb --grid -2,5,2,4,0,0,0,0,-4,3x2 --spp 1 -q"
-                   " -o @/a.csv --map @/map.png");
+                   "scenes/cornell-box.glb --grid -2,5,2,4,0,0,0,0,-4,3x2 --spp 1 -q -o @/a.csv "
+                   "--map @/map.png");
 }
 
 /* Noise that cannot be reached ends at the most samples, with a note. */
 TEST(most_samples) {
-    expect_command(0, "probe",
-                   "@/floor.glb --light '+area size=1,1 position=0,1,0 direction=0,-1,0"
-                   " intensity=1,1,1' --grid 0,0,0,1,0,0,0,0,-1,1x1 --bounces 0 --noise 1e-9"
-                   " -o @/most.csv");
+    expect_command(
+        0, "probe",
+        "@/floor.glb --light '+area size=1,1 position=0,1,0 direction=0,-1,0 intensity=1,1,1' "
+        "--grid 0,0,0,1,0,0,0,0,-1,1x1 --bounces 0 --noise 1e-9 -o @/most.csv");
     expect_text("1048576 samples each");
     expect_text("above --noise after the most samples");
 }

@@ -266,16 +266,13 @@ TEST(extension) {
     struct emitter light;
     open_parts(
         &scene,
-        &(struct gltf_parts){
-            .more = "\"extensionsRequired\": [\"EXT_lights_area\"], \"extensions\": {"
-                    "\"EXT_lights_area\": {\"lights\": [{\"name\": \"panel\", \"type\": \"rect\","
-                    " \"color\": [1, 0.5, 0.25], \"intensity\": 4, \"size\": 0.5, \"rect\":"
-                    " {\"aspect\": 3}}, {\"type\": \"disk\"}]}, \"KHR_lights_punctual\":"
-                    " {\"lights\": [{\"type\": \"point\"}]}},",
-            .nodes = "[{\"mesh\": 0}, {\"scale\": [1, 2, -0.5], \"translation\": [1, 2, 3],"
-                     " \"extensions\": {\"EXT_lights_area\": {\"light\": 0}}},"
-                     " {\"extensions\": {\"EXT_lights_area\": {\"light\": 1}}},"
-                     " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]"});
+        &PARTS(.more = "extensionsRequired: [EXT_lights_area], extensions: {EXT_lights_area: "
+                       "{lights: [{name: panel, type: rect, color: [1, 0.5, 0.25], intensity: 4, "
+                       "size: 0.5, rect: {aspect: 3}}, {type: disk}]}, KHR_lights_punctual: "
+                       "{lights: [{type: point}]}},",
+               .nodes = "[{mesh: 0}, {scale: [1, 2, -0.5], translation: [1, 2, 3], extensions: "
+                        "{EXT_lights_area: {light: 0}}}, {extensions: {EXT_lights_area: {light: "
+                        "1}}}, {extensions: {KHR_lights_punctual: {light: 0}}}]"));
     assert_int_equal(emitter_node_count(&scene), 3);
     emitter_place(&light, &scene, emitter_find(&scene, "panel"), 0);
     assert_int_equal(light.type, EMITTER_AREA);
@@ -293,30 +290,22 @@ TEST(extension) {
 TEST(extras) {
     OWNED(scene) scene;
     struct emitter light;
-    open_parts(&scene,
-               &(struct gltf_parts){
-                   .more =
-                       "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": ["
-                       "{\"type\": \"point\", \"extras\": {\"radius\": 0.25, \"size\": \"of\"}},"
-                       " {\"type\": \"spot\", \"spot\": {}, \"extras\": {\"radius\": 0.5}},"
-                       " {\"type\": \"spot\", \"spot\": {}, \"extras\": {\"size\": [2, 3]}},"
-                       " {\"type\": \"directional\", \"extras\": {\"angle\": 0.0093}},"
-                       " {\"type\": \"point\", \"extras\": {\"radius\": 0}}]}},",
-                   .nodes = "[{\"mesh\": 0},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 2}}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 3}}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}}},"
-                            /* Extras of nodes count where the light has none. */
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}},"
-                            " \"extras\": {\"radius\": 0.1}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}},"
-                            " \"extras\": {\"radius\": 9}},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}},"
-                            " \"extras\": {\"radius\": \"wide\"}},"
-                            " {\"extras\": {\"radius\": 0.2}, \"children\": [10]},"
-                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}}}]"});
+    open_parts(
+        &scene,
+        &PARTS(.more = "extensions: {KHR_lights_punctual: {lights: [{type: point, extras: {radius: "
+                       "0.25, size: of}}, {type: spot, spot: {}, extras: {radius: 0.5}}, {type: "
+                       "spot, spot: {}, extras: {size: [2, 3]}}, {type: directional, extras: "
+                       "{angle: 0.0093}}, {type: point, extras: {radius: 0}}]}},",
+               .nodes = "[{mesh: 0}, {extensions: {KHR_lights_punctual: {light: 0}}}, {extensions: "
+                        "{KHR_lights_punctual: {light: 1}}}, {extensions: {KHR_lights_punctual: "
+                        "{light: 2}}}, {extensions: {KHR_lights_punctual: {light: 3}}}, "
+                        "{extensions: {KHR_lights_punctual: {light: 4}}},"
+                        /* Extras of nodes count where the light has none. */
+                        " {extensions: {KHR_lights_punctual: {light: 4}}, extras: {radius: 0.1}}, "
+                        "{extensions: {KHR_lights_punctual: {light: 0}}, extras: {radius: 9}}, "
+                        "{extensions: {KHR_lights_punctual: {light: 4}}, extras: {radius: wide}}, "
+                        "{extras: {radius: 0.2}, children: [10]}, {extensions: "
+                        "{KHR_lights_punctual: {light: 4}}}]"));
     static const struct {
         enum emitter_shape shape;
         double width, height;
@@ -334,12 +323,11 @@ TEST(extras) {
 TEST(emissive_quad) {
     OWNED(scene) scene;
     struct emitter front, back;
-    open_parts(&scene, &(struct gltf_parts){
-                           .materials = "[{\"name\": \"glow\", \"emissiveFactor\": [1, 0.5, 0],"
-                                        " \"doubleSided\": true, \"extensions\":"
-                                        " {\"KHR_materials_emissive_strength\":"
-                                        " {\"emissiveStrength\": 8}}}]",
-                           .nodes = "[{\"name\": \"pane\", \"mesh\": 0, \"scale\": [2, 3, -1]}]"});
+    open_parts(&scene,
+               &PARTS(.materials =
+                          "[{name: glow, emissiveFactor: [1, 0.5, 0], doubleSided: true, "
+                          "extensions: {KHR_materials_emissive_strength: {emissiveStrength: 8}}}]",
+                      .nodes = "[{name: pane, mesh: 0, scale: [2, 3, -1]}]"));
     assert_int_equal(emitter_node_count(&scene), 2);
     assert_int_equal(emitter_find(&scene, "pane"), 0);
     emitter_place(&front, &scene, 0, 0);

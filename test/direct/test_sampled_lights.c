@@ -114,26 +114,23 @@ static struct image render_passes(const struct stage *stage, struct emitter *lig
  * lights. */
 TEST(panels) {
     enum { PANELS = 40, NODE = 160 };
-    char nodes[(PANELS + 2) * NODE] =
-        "[{\"mesh\": 1, \"scale\": [9, 9, 1], \"translation\": [-4.5, -4.5, 0]}, "
-        "{\"camera\": 0, \"translation\": [0, 0, 6]}";
+    char nodes[(PANELS + 2) * NODE] = "[{mesh: 1, scale: [9, 9, 1], translation: [-4.5, -4.5, 0]}, "
+                                      "{camera: 0, translation: [0, 0, 6]}";
     const char *path;
     for (int i = 0; i < PANELS; i++)
-        sprintf(nodes + strlen(nodes),
-                ", {\"mesh\": 0, \"rotation\": [1, 0, 0, 0], \"scale\": [%f, 0.2, 1],"
-                " \"translation\": [%d, %d, 2]}",
-                .2 + .01 * (double)i, i % 8 - 4, i / 8 - 2);
+        sprintf(
+            nodes + strlen(nodes),
+            ", {mesh: 0, rotation: [1, 0, 0, 0], scale: [%f, 0.2, 1], translation: [%d, %d, 2]}",
+            .2 + .01 * (double)i, i % 8 - 4, i / 8 - 2);
     strcat(nodes, "]");
     path = write_parts(
         "panels.glb",
-        &(struct gltf_parts){
-            .more = "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
-                    " {\"xmag\": 4, \"ymag\": 4, \"znear\": 5, \"zfar\": 7}}],",
-            .materials = "[{\"emissiveFactor\": [1, 1, 1]}, {}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                      " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                      " \"indices\": 1, \"material\": 1}]}]",
-            .nodes = nodes});
+        &PARTS(.more = "cameras: [{type: orthographic, orthographic: {xmag: 4, ymag: 4, znear: 5, "
+                       "zfar: 7}}],",
+               .materials = "[{emissiveFactor: [1, 1, 1]}, {}]",
+               .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
+                         "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1}]}]",
+               .nodes = nodes));
     OWNED(stage) stage = open_stage(path);
     OWNED(image) traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced),
                  frame = render_stage(&stage, "clustered", settings, SIZE);

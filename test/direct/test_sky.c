@@ -35,12 +35,11 @@ static void paint_day(const float direction[3], float radiance[3]) {
 }
 
 static void open_quads(struct stage *stage, const char *camera, const char *nodes) {
-    const char *all = form("[{\"camera\": 0, %s}, %s]", camera, nodes);
+    const char *all = form("[{camera: 0, %s}, %s]", camera, nodes);
     const char *path = write_parts(
-        "sky.glb", &(struct gltf_parts){.nodes = all,
-                                        .more = "\"cameras\": [{\"type\": \"perspective\","
-                                                " \"perspective\": {\"yfov\": 0.9,"
-                                                " \"znear\": 0.01}}],"});
+        "sky.glb",
+        &PARTS(.nodes = all,
+               .more = "cameras: [{type: perspective, perspective: {yfov: 0.9, znear: 0.01}}],"));
     *stage = open_stage(path);
     set_sky(stage, SKY_WIDTH, SKY_HEIGHT, paint_even);
 }
@@ -100,8 +99,8 @@ static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles
 
 TEST(floor) {
     OWNED(stage) stage;
-    open_quads(&stage, "\"translation\": [0, 0, 2]",
-               "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
+    open_quads(&stage, "translation: [0, 0, 2]",
+               "{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}");
     for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
         if (!is_tried_here(i, 3))
             continue;
@@ -116,14 +115,12 @@ TEST(convex_body) {
     OWNED(stage) stage;
     open_quads(
         &stage,
-        "\"matrix\": [0.70710678, 0, -0.70710678, 0, -0.40824829, 0.81649658, -0.40824829, 0,"
-        " 0.57735027, 0.57735027, 0.57735027, 0, 2.2, 2.2, 2.2, 1]",
-        "{\"mesh\": 0, \"translation\": [0, 0, 1]},"
-        "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"translation\": [1, 0, 1]},"
-        "{\"mesh\": 0, \"rotation\": [-0.70710678, 0, 0, 0.70710678], \"translation\": [0, 1, 1]},"
-        "{\"mesh\": 0, \"rotation\": [0, 1, 0, 0], \"translation\": [1, 0, 0]},"
-        "{\"mesh\": 0, \"rotation\": [0, -0.70710678, 0, 0.70710678]},"
-        "{\"mesh\": 0, \"rotation\": [0.70710678, 0, 0, 0.70710678]}");
+        "matrix: [0.70710678, 0, -0.70710678, 0, -0.40824829, 0.81649658, -0.40824829, 0, "
+        "0.57735027, 0.57735027, 0.57735027, 0, 2.2, 2.2, 2.2, 1]",
+        "{mesh: 0, translation: [0, 0, 1]},{mesh: 0, rotation: [0, 0.70710678, 0, 0.70710678], "
+        "translation: [1, 0, 1]},{mesh: 0, rotation: [-0.70710678, 0, 0, 0.70710678], translation: "
+        "[0, 1, 1]},{mesh: 0, rotation: [0, 1, 0, 0], translation: [1, 0, 0]},{mesh: 0, rotation: "
+        "[0, -0.70710678, 0, 0.70710678]},{mesh: 0, rotation: [0.70710678, 0, 0, 0.70710678]}");
     for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
         if (!is_tried_here(i, 3))
             continue;
@@ -142,10 +139,9 @@ static double beside_wall(const float place[3]) {
 
 TEST(wall) {
     OWNED(stage) stage;
-    open_quads(&stage, "\"translation\": [1.2, 0, 2]",
-               "{\"mesh\": 0, \"scale\": [3, 16, 1], \"translation\": [0, -8, 0]},"
-               "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [1, 16, 1],"
-               " \"translation\": [0, -8, 1]}");
+    open_quads(&stage, "translation: [1.2, 0, 2]",
+               "{mesh: 0, scale: [3, 16, 1], translation: [0, -8, 0]},{mesh: 0, rotation: [0, "
+               "0.70710678, 0, 0.70710678], scale: [1, 16, 1], translation: [0, -8, 1]}");
     static const struct {
         const char *settings;
         double bound;
@@ -174,14 +170,13 @@ static void open_roof(struct stage *stage, int rows, const char *material) {
         snprintf(materials + strlen(materials), sizeof materials - strlen(materials), "%s%s",
                  material, end);
         snprintf(meshes + strlen(meshes), sizeof meshes - strlen(meshes),
-                 "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                 " \"material\": %d}]}%s",
-                 row, end);
+                 "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: %d}]}%s", row,
+                 end);
         for (int i = 0; i < ANGLES; i++) {
             double angle = angles[i] * GLM_PI / 180;
             snprintf(nodes + strlen(nodes), sizeof nodes - strlen(nodes),
-                     "{\"mesh\": %d, \"translation\": [%g, %d, %g], \"scale\": [%g, 1, 1],"
-                     " \"rotation\": [0, %g, 0, %g]}%s",
+                     "{mesh: %d, translation: [%g, %d, %g], scale: [%g, 1, 1], rotation: [0, %g, "
+                     "0, %g]}%s",
                      row, x, row, z, 1 / cos(angle), sin(angle / 2), cos(angle / 2),
                      i + 1 < ANGLES ? ", " : end);
             x += 1;
@@ -192,8 +187,8 @@ static void open_roof(struct stage *stage, int rows, const char *material) {
     snprintf(all[0], sizeof all[0], "[%s]", materials);
     snprintf(all[1], sizeof all[1], "[%s]", meshes);
     snprintf(all[2], sizeof all[2], "[%s]", nodes);
-    *stage = open_stage(write_parts(
-        "roof.glb", &(struct gltf_parts){.materials = all[0], .meshes = all[1], .nodes = all[2]}));
+    *stage = open_stage(
+        write_parts("roof.glb", &PARTS(.materials = all[0], .meshes = all[1], .nodes = all[2])));
     stage->camera = (struct camera){.eye = {ANGLES / 2.F, ANGLES / 2.F, 1},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},
@@ -211,7 +206,7 @@ TEST(furnace) {
     } kinds[] = {{"dielectric", 0, .04F}, {"specular-glossiness", 0, .3F}, {"metal", 1, .04F}};
     int rows = is_long_run() ? 5 : 2;
     OWNED(stage) stage;
-    open_roof(&stage, rows, "{\"doubleSided\": false}");
+    open_roof(&stage, rows, "{doubleSided: false}");
     for (int k = 0; k < 3; k++) {
         double most = 0, farthest = 0;
         for (int row = 0; row < rows; row++) {
@@ -242,8 +237,8 @@ TEST(furnace) {
 TEST(furnace_of_glass) {
     OWNED(stage) stage;
     open_roof(&stage, 1,
-              "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0},"
-              " \"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 0.4}}}");
+              "{pbrMetallicRoughness: {metallicFactor: 0, roughnessFactor: 0}, extensions: "
+              "{KHR_materials_transmission: {transmissionFactor: 0.4}}}");
     OWNED(image) got = render_stage(&stage, "unshadowed", "", CELL * ANGLES);
     for (int i = 0; i < ANGLES; i++)
         check_near("glass at an angle",
@@ -277,22 +272,19 @@ static double through_window(const float place[3]) {
     return fabs(sum) / (2 * GLM_PI);
 }
 
-#define ACROSS_X "\"rotation\": [0, 0.70710678, 0, 0.70710678]"
-#define ACROSS_Y "\"rotation\": [-0.70710678, 0, 0, 0.70710678]"
+#define ACROSS_X "rotation: [0, 0.70710678, 0, 0.70710678]"
+#define ACROSS_Y "rotation: [-0.70710678, 0, 0, 0.70710678]"
 #define ROOM                                                                                       \
-    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 0]},"                                             \
-    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]},"                                             \
-    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, 0.5, 1]},"
+    "{mesh: 0, translation: [-0.5, -0.5, 0]},{mesh: 0, translation: [-0.5, -0.5, 1]},{mesh: "      \
+    "0, " ACROSS_X ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y                           \
+    ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y ", translation: [-0.5, 0.5, 1]},"
 #define PIECE(depth, width, y, z)                                                                  \
-    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [" depth ", " width ", 1], \"translation\": [0.5, " y  \
-    ", " z "]}"
+    "{mesh: 0, " ACROSS_X ", scale: [" depth ", " width ", 1], translation: [0.5, " y ", " z "]}"
 
 /* Its walls are seen edge-on, or from below a roof, by the lights whose ways leave through them. */
 TEST(room) {
     struct stage stage;
-    open_quads(&stage, "\"translation\": [0, 0, 0.95]",
+    open_quads(&stage, "translation: [0, 0, 0.95]",
                ROOM PIECE("0.3", "1", "-0.5", "0.3") "," PIECE("0.2", "1", "-0.5", "1") "," PIECE(
                    "0.5", "0.25", "-0.5", "0.8") "," PIECE("0.5", "0.25", "0.25", "0.8"));
     struct shares shares = measure_shares(&stage, "", through_window);
@@ -300,7 +292,7 @@ TEST(room) {
     check_near("light through a window, mean", shares.mean, shares.wanted, .1 * shares.wanted);
     check_at_most("its RMS error over the mean", shares.rms / shares.wanted, .4);
     double lit = shares.wanted;
-    open_quads(&stage, "\"translation\": [0, 0, 0.95]", ROOM PIECE("1", "1", "-0.5", "1"));
+    open_quads(&stage, "translation: [0, 0, 0.95]", ROOM PIECE("1", "1", "-0.5", "1"));
     shares = measure_shares(&stage, "", through_window);
     stage_free(&stage);
     check_at_most("of that without the window", shares.mean / lit, .006);

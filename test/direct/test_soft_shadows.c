@@ -56,19 +56,16 @@ static double seen_share(const struct stand *stand, const float p[3]) {
 static void open_stand(struct stage *stage, const struct stand *stand, double height) {
     char nodes[2048];
     const char *more =
-        form("\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
-             " \"perspective\": {\"yfov\": 2.1, \"znear\": 0.01}}], \"extensions\":"
-             " {\"EXT_lights_area\": {\"lights\": [%s]}},",
+        form("extensionsUsed: [EXT_lights_area], cameras: [{type: perspective, perspective: {yfov: "
+             "2.1, znear: 0.01}}], extensions: {EXT_lights_area: {lights: [%s]}},",
              stand->light);
-    snprintf(
-        nodes, sizeof nodes,
-        "[{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]},"
-        " {\"camera\": 0, \"translation\": [0, 0, 0.45]},"
-        " {\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}, \"translation\": [0, 0, %g]},"
-        " {\"mesh\": 0, \"scale\": [%g, %g, 1], \"translation\": [%g, %g, %g]}]",
-        light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1], stand->low[0],
-        stand->low[1], height);
-    const char *path = write_parts("stand.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
+    snprintf(nodes, sizeof nodes,
+             "[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
+             "0, 0.45]}, {extensions: {EXT_lights_area: {light: 0}}, translation: [0, 0, %g]}, "
+             "{mesh: 0, scale: [%g, %g, 1], translation: [%g, %g, %g]}]",
+             light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1],
+             stand->low[0], stand->low[1], height);
+    const char *path = write_parts("stand.glb", &PARTS(.nodes = nodes, .more = more));
     *stage = open_stage(path);
 }
 
@@ -113,19 +110,13 @@ static double stand_error(const struct stand *stand, const char *method, const c
 }
 
 #define RECTANGLE(size, aspect)                                                                    \
-    "{\"type\": \"rect\", \"intensity\": 50, \"size\": " size ", \"rect\": {\"aspect\": " aspect   \
-    "}}"
+    "{type: rect, intensity: 50, size: " size ", rect: {aspect: " aspect "}}"
 
 static const struct stand stands[] = {
     {"square", RECTANGLE("0.3", "1"), .3, .3, {-.3, -.3}, {.3, .3}},
     {"square, larger than the plate", RECTANGLE("0.8", "1"), .8, .8, {-.1, -.1}, {.1, .1}},
     {"strip", RECTANGLE("0.1", "5"), .5, .1, {-.3, -.3}, {.3, .3}},
-    {"disk",
-     "{\"type\": \"disk\", \"intensity\": 50, \"size\": 0.4}",
-     .4,
-     0,
-     {0, -1.5},
-     {1.5, 1.5}},
+    {"disk", "{type: disk, intensity: 50, size: 0.4}", .4, 0, {0, -1.5}, {1.5, 1.5}},
 };
 
 /* Of pcss where there is no BVH in time. */
@@ -184,19 +175,16 @@ TEST(more) {
  * plate's depth is then a part of the map's range: the series hides some of the light. */
 static void open_cover(struct stage *stage, double plate) {
     char nodes[2048];
-    snprintf(
-        nodes, sizeof nodes,
-        "[{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]},"
-        " {\"camera\": 0, \"translation\": [0, 0, 0.04]},"
-        " {\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}, \"translation\": [0, 0, %g]},"
-        " {\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, %g]},"
-        " {\"mesh\": 0, \"scale\": [0.1, 0.1, 1], \"translation\": [1, 1, 1.2]}]",
-        light_height, plate);
+    snprintf(nodes, sizeof nodes,
+             "[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
+             "0, 0.04]}, {extensions: {EXT_lights_area: {light: 0}}, translation: [0, 0, %g]}, "
+             "{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, %g]}, {mesh: 0, scale: [0.1, 0.1, "
+             "1], translation: [1, 1, 1.2]}]",
+             light_height, plate);
     const char *more =
-        "\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
-        " \"perspective\": {\"yfov\": 1, \"znear\": 0.001}}], \"extensions\":"
-        " {\"EXT_lights_area\": {\"lights\": [" RECTANGLE("0.3", "1") "]}},";
-    const char *path = write_parts("cover.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
+        "extensionsUsed: [EXT_lights_area], cameras: [{type: perspective, perspective: {yfov: 1, "
+        "znear: 0.001}}], extensions: {EXT_lights_area: {lights: [" RECTANGLE("0.3", "1") "]}},";
+    const char *path = write_parts("cover.glb", &PARTS(.nodes = nodes, .more = more));
     *stage = open_stage(path);
 }
 
@@ -475,16 +463,13 @@ TEST(empty_room) {
     OWNED(stage) stage;
     stage = open_stage(write_parts(
         "room.glb",
-        &(struct gltf_parts){
-            .nodes = "[{\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [0, 0, -4]},"
-                     " {\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [4, 0, 0],"
-                     " \"rotation\": [0, 1, 0, 0]}, {\"mesh\": 0, \"scale\": [4, 3, 1],"
-                     " \"rotation\": [0, 0.70710678, 0, 0.70710678]}, {\"mesh\": 0,"
-                     " \"scale\": [4, 3, 1], \"translation\": [4, 0, -4], \"rotation\":"
-                     " [0, -0.70710678, 0, 0.70710678]}, {\"mesh\": 0, \"scale\": [4, 4, 1],"
-                     " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}, {\"mesh\": 0,"
-                     " \"scale\": [4, 4, 1], \"translation\": [0, 3, -4], \"rotation\":"
-                     " [0.70710678, 0, 0, 0.70710678]}]"}));
+        &PARTS(.nodes = "[{mesh: 0, scale: [4, 3, 1], translation: [0, 0, -4]}, {mesh: 0, scale: "
+                        "[4, 3, 1], translation: [4, 0, 0], rotation: [0, 1, 0, 0]}, {mesh: 0, "
+                        "scale: [4, 3, 1], rotation: [0, 0.70710678, 0, 0.70710678]}, {mesh: 0, "
+                        "scale: [4, 3, 1], translation: [4, 0, -4], rotation: [0, -0.70710678, 0, "
+                        "0.70710678]}, {mesh: 0, scale: [4, 4, 1], rotation: [-0.70710678, 0, 0, "
+                        "0.70710678]}, {mesh: 0, scale: [4, 4, 1], translation: [0, 3, -4], "
+                        "rotation: [0.70710678, 0, 0, 0.70710678]}]")));
     check_ok("camera", camera_from_text(&stage.camera, &stage.scene,
                                         "eye=2.1,1.4,-0.2 forward=0,0,-1 fov=2", 0, NULL));
     for (size_t l = 0; l < sizeof lights / sizeof *lights; l++) {

@@ -390,17 +390,13 @@ static void open_mirror(struct stage *stage, const char *nodes, const struct cam
                         const float sun[3]) {
     *stage = open_stage(write_parts(
         "mirror.glb",
-        &(struct gltf_parts){
-            .materials = "[{\"doubleSided\": true, \"pbrMetallicRoughness\": {"
-                         "\"baseColorFactor\": [0.6, 0.3, 0.1, 1], \"metallicFactor\": 0},"
-                         " \"extensions\": {\"KHR_materials_specular\": {"
-                         "\"specularFactor\": 0}}},"
-                         " {\"doubleSided\": true, \"pbrMetallicRoughness\": {"
-                         "\"metallicFactor\": 1, \"roughnessFactor\": 0}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                      " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
-                      " 0}, \"indices\": 1, \"material\": 1}]}]",
-            .nodes = nodes}));
+        &PARTS(.materials = "[{doubleSided: true, pbrMetallicRoughness: {baseColorFactor: [0.6, "
+                            "0.3, 0.1, 1], metallicFactor: 0}, extensions: "
+                            "{KHR_materials_specular: {specularFactor: 0}}}, {doubleSided: true, "
+                            "pbrMetallicRoughness: {metallicFactor: 1, roughnessFactor: 0}}]",
+               .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
+                         "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1}]}]",
+               .nodes = nodes)));
     stage->camera = *camera;
     emitters_free(&stage->emitters);
     stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
@@ -442,27 +438,23 @@ TEST(mirror) {
                             .forward = {0, 0, -1},
                             .fov_y = .6F};
     /* A mirror fills the picture; the wall lies behind the camera. */
-    open_mirror(&stage,
-                "[{\"mesh\": 0, \"translation\": [-4, -4, 3], \"scale\": [9, 9, 1]},"
-                " {\"mesh\": 1}]",
+    open_mirror(&stage, "[{mesh: 0, translation: [-4, -4, 3], scale: [9, 9, 1]}, {mesh: 1}]",
                 &camera, (float[]){0, -.6F, .8F});
     check_mirror(&stage, .8);
     stage_free(&stage);
     /* The floor is a mirror, and the camera sees the wall as well. */
     camera.fov_y = .8F;
     open_mirror(&stage,
-                "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
-                " {\"mesh\": 1, \"translation\": [-4, 0, 1], \"scale\": [9, 2, 1],"
-                " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
+                "[{mesh: 0, translation: [-4, 0, -1], scale: [9, 9, 1]}, {mesh: 1, translation: "
+                "[-4, 0, 1], scale: [9, 2, 1], rotation: [-0.70710678, 0, 0, 0.70710678]}]",
                 &camera, (float[]){0, 0, -1});
     check_mirror(&stage, 1);
 }
 
 /* A floor of metal before a wall. */
 static const char *const wall_behind_floor =
-    "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
-    " {\"mesh\": 1, \"translation\": [-4, 0, 5], \"scale\": [9, 6, 1],"
-    " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]";
+    "[{mesh: 0, translation: [-4, 0, -1], scale: [9, 9, 1]}, {mesh: 1, translation: "
+    "[-4, 0, 5], scale: [9, 6, 1], rotation: [-0.70710678, 0, 0, 0.70710678]}]";
 static const struct camera floor_camera = {.eye = {.5F, 1.5F, 3},
                                            .right = {1, 0, 0},
                                            .up = {0, 1, 0},

@@ -87,8 +87,8 @@ TEST(no_refraction) {
         set_medium(&with, .15F, .02F, rows[i].g);
         set_medium(&without, .15F, .02F, rows[i].g);
         const char *settings =
-            form(CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=%d"
-                       " medium.steps=128",
+            form(CHEAP
+                 "caustics.surface=patches caustics.medium=lines caustics.size=%d medium.steps=128",
                  rows[i].rays);
         OWNED(image) a = render_stage(&with, "unshadowed", settings, rows[i].size);
         struct image b =
@@ -121,12 +121,10 @@ static struct image draw_between(const struct between *between) {
     float from = between->from, to = between->to;
     static const float down[] = {1, 0, -1};
     OWNED(stage) stage;
-    const char *nodes =
-        form("[" FLOOR_NODE ", " UP_NODE
-             ", {\"mesh\": %d, \"translation\": [-4, 4, 3], \"rotation\": [1, 0, 0, 0],"
-             " \"scale\": [8, 8, 1]},"
-             " {\"mesh\": %d, \"translation\": [4, -2, 1], \"scale\": [4, 4, 1]}]",
-             -2., -2., 1., 4., 4., between->mirror_ceiling, between->mirror_plate);
+    const char *nodes = form("[" FLOOR_NODE ", " UP_NODE
+                             ", {mesh: %d, translation: [-4, 4, 3], rotation: [1, 0, 0, 0], scale: "
+                             "[8, 8, 1]}, {mesh: %d, translation: [4, -2, 1], scale: [4, 4, 1]}]",
+                             -2., -2., 1., 4., 4., between->mirror_ceiling, between->mirror_plate);
     open_nodes(&stage, nodes, 0);
     make_mirror(&stage);
     set_medium(&stage, .15F, .02F, .3F);
@@ -232,8 +230,9 @@ TEST(chance) {
                                        .up = {0, 0, 1},
                                        .forward = {0, 1, 0},
                                        .fov_y = .12F};
-        OWNED(image) drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
-                                                " caustics.size=256 caustics.chains=1");
+        OWNED(image) drawn = draw(
+            &stage, CHEAP
+            "caustics.surface=patches caustics.medium=lines caustics.size=256 caustics.chains=1");
         means[last] = mean_of(&drawn, "volume");
     }
     check_near("first light over the last one", means[0] / means[1], 1, .1);
@@ -271,9 +270,10 @@ TEST(published) {
 TEST(low_light) {
     OWNED(stage) stage;
     char nodes[512];
-    int used = snprintf(nodes, sizeof nodes,
-                        "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-20, 20, 3],"
-                        " \"rotation\": [1, 0, 0, 0], \"scale\": [40, 40, 1]}, ");
+    int used = snprintf(
+        nodes, sizeof nodes,
+        "[" FLOOR_NODE
+        ", {mesh: 0, translation: [-20, 20, 3], rotation: [1, 0, 0, 0], scale: [40, 40, 1]}, ");
     used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
     snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
     open_nodes(&stage, nodes, 1);
@@ -320,8 +320,8 @@ TEST(lamp) {
             used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, 4);
             if (has_lamp)
                 used += snprintf(nodes + used, sizeof nodes - (size_t)used,
-                                 ", {\"mesh\": 0, \"translation\": [0.3, 0.1, 2],"
-                                 " \"rotation\": [%.9g, 0, 0, %.9g], \"scale\": [%g, %g, 1]}",
+                                 ", {mesh: 0, translation: [0.3, 0.1, 2], rotation: [%.9g, 0, 0, "
+                                 "%.9g], scale: [%g, %g, 1]}",
                                  sin(turns[i] / 2), cos(turns[i] / 2), side, side);
             snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
             open_nodes(&stage, nodes, 1);
@@ -356,10 +356,11 @@ TEST(more_rays) {
     static const char *const scenes[] = {"scenes/ring.glb", "scenes/gem.glb"};
     for (int s = 0; s < 2; s++) {
         OWNED(stage) stage = open_stage(scenes[s]);
-        OWNED(image) few = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
-                                              " caustics.size=128"),
-                     many = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
-                                               " caustics.size=256");
+        OWNED(image) few = draw(&stage, CHEAP
+                                "caustics.surface=patches caustics.medium=lines caustics.size=128"),
+                     many =
+                         draw(&stage, CHEAP
+                              "caustics.surface=patches caustics.medium=lines caustics.size=256");
         printf("    %s\n", scenes[s]);
         check_near("surfaces, few over many", mean_of(&few, "caustic") / mean_of(&many, "caustic"),
                    1, .04);

@@ -54,9 +54,9 @@ TEST(indirect) {
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
     used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, .2);
-    snprintf(nodes + used, sizeof nodes - (size_t)used,
-             ", {\"mesh\": 0, \"translation\": [-20, 20, 3.01], \"rotation\": [1, 0, 0, 0],"
-             " \"scale\": [40, 40, 1]}]");
+    snprintf(
+        nodes + used, sizeof nodes - (size_t)used,
+        ", {mesh: 0, translation: [-20, 20, 3.01], rotation: [1, 0, 0, 0], scale: [40, 40, 1]}]");
     open_nodes(&stage, nodes, 1);
     make_mirror(&stage);
     look_up(&stage);
@@ -182,9 +182,8 @@ static void make_black_pane(struct stage *stage, float alpha) {
 /* A small floor and a square above, which faces down, of that material; room for more nodes. */
 static int print_storeys(char *text, size_t size, int material, double z) {
     return snprintf(text, size,
-                    "[{\"mesh\": 0, \"translation\": [-2, -2, 0], \"scale\": [4, 4, 1]},"
-                    " {\"mesh\": %d, \"translation\": [-2, 2, %g], \"rotation\": [1, 0, 0, 0],"
-                    " \"scale\": [4, 4, 1]}",
+                    "[{mesh: 0, translation: [-2, -2, 0], scale: [4, 4, 1]}, {mesh: %d, "
+                    "translation: [-2, 2, %g], rotation: [1, 0, 0, 0], scale: [4, 4, 1]}",
                     material, z);
 }
 
@@ -274,8 +273,7 @@ TEST(half_a_lamp) {
     for (int pane = 0; pane < 2; pane++) {
         OWNED(stage) stage;
         open_nodes(&stage,
-                   pane ? "[" FLOOR_NODE ", {\"mesh\": 1, \"translation\": [0, -4, 1],"
-                          " \"scale\": [8, 8, 1]}]"
+                   pane ? "[" FLOOR_NODE ", {mesh: 1, translation: [0, -4, 1], scale: [8, 8, 1]}]"
                         : "[" FLOOR_NODE "]",
                    .5F);
         make_black_pane(&stage, .5F);
@@ -342,9 +340,9 @@ TEST(two_renderers) {
 TEST(wall_from_behind) {
     OWNED(stage) stage;
     char nodes[512];
-    int used = snprintf(nodes, sizeof nodes,
-                        "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-2, -2, 2.5],"
-                        " \"scale\": [4, 4, 1]}, ");
+    int used =
+        snprintf(nodes, sizeof nodes,
+                 "[" FLOOR_NODE ", {mesh: 0, translation: [-2, -2, 2.5], scale: [4, 4, 1]}, ");
     used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 1);
     used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
     used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, 1);

@@ -43,26 +43,20 @@ static void write_ball(const char *name) {
 static void open_ellipsoid(struct stage *stage, const char *radii) {
     write_ball("ball.bin");
     const char *buffers =
-        form("[{\"byteLength\": 320}, {\"uri\": \"ball.bin\", \"byteLength\": %d}]",
-             12 * VERTICES + 2 * INDICES);
-    const char *views = form("[{\"buffer\": 1, \"byteLength\": %d},"
-                             " {\"buffer\": 1, \"byteOffset\": %d, \"byteLength\": %d}]",
-                             12 * VERTICES, 12 * VERTICES, 2 * INDICES);
-    const char *accessors =
-        form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"},"
-             " {\"bufferView\": 1, \"componentType\": 5123, \"count\": %d, \"type\": \"SCALAR\"}]",
-             VERTICES, INDICES);
-    const char *nodes = form("[{\"mesh\": 0, \"scale\": [%s]}]", radii);
-    *stage = open_stage(write_parts(
-        "ball.glb",
-        &(struct gltf_parts){.buffers = buffers,
-                             .views = views,
-                             .accessors = accessors,
-                             .materials = "[{\"doubleSided\": false}]",
-                             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\":"
-                                       " 0, \"NORMAL\": 0}, \"indices\": 1, \"material\":"
-                                       " 0}]}]",
-                             .nodes = nodes}));
+        form("[{byteLength: 320}, {uri: 'ball.bin', byteLength: %d}]", 12 * VERTICES + 2 * INDICES);
+    const char *views =
+        form("[{buffer: 1, byteLength: %d}, {buffer: 1, byteOffset: %d, byteLength: %d}]",
+             12 * VERTICES, 12 * VERTICES, 2 * INDICES);
+    const char *accessors = form("[{bufferView: 0, componentType: 5126, count: %d, type: VEC3}, "
+                                 "{bufferView: 1, componentType: 5123, count: %d, type: SCALAR}]",
+                                 VERTICES, INDICES);
+    const char *nodes = form("[{mesh: 0, scale: [%s]}]", radii);
+    *stage = open_stage(
+        write_parts("ball.glb", &PARTS(.buffers = buffers, .views = views, .accessors = accessors,
+                                       .materials = "[{doubleSided: false}]",
+                                       .meshes = "[{primitives: [{attributes: {POSITION: 0, "
+                                                 "NORMAL: 0}, indices: 1, material: 0}]}]",
+                                       .nodes = nodes)));
     stage->camera = (struct camera){.eye = {0, 0, 3},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},

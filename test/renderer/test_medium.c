@@ -21,10 +21,9 @@
  * away, and a light of 1 W/sr. The geometry's sphere is the test's own, for the medium alone: the
  * wall lies in it. */
 static void open_wall(struct stage *stage, float distance, float radius) {
-    static const char nodes[] =
-        "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
+    static const char nodes[] = "[{mesh: 0, translation: [-20, -20, %g], scale: [40, 40, 1]}]";
     const char *text = form(nodes, (double)-distance);
-    *stage = open_stage(write_parts("wall.glb", &(struct gltf_parts){.nodes = text}));
+    *stage = open_stage(write_parts("wall.glb", &PARTS(.nodes = text)));
     stage->camera =
         (struct camera){.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .fov_y = 1e-3F};
     memset(stage->geometry.center, 0, sizeof stage->geometry.center);
@@ -449,27 +448,25 @@ TEST(opaque) {
 
 TEST(files) {
     static const char *const refused[][2] = {
-        {"{\"sigma_s\": -0.1}", "extras: medium: sigma_s: it is no number from 0 to 1e+09"},
-        {"{\"sigma_a\": [0, -1, 0]}", "extras: medium: sigma_a: it is no number"},
-        {"{\"sigma_s\": [1, 1]}", "extras: medium: sigma_s: it is no number"},
-        {"{\"sigma_s\": \"thick\"}", "extras: medium: sigma_s: it is no number"},
-        {"{\"sigma_s\": 1e300}", "extras: medium: sigma_s: it is no number"},
-        {"{\"sigma_s\": 1, \"g\": 1}", "extras: medium: g: it is no number between -1 and 1"},
-        {"{\"sigma_s\": 1, \"g\": -1.5}", "extras: medium: g: it is no number"},
+        {"{sigma_s: -0.1}", "extras: medium: sigma_s: it is no number from 0 to 1e+09"},
+        {"{sigma_a: [0, -1, 0]}", "extras: medium: sigma_a: it is no number"},
+        {"{sigma_s: [1, 1]}", "extras: medium: sigma_s: it is no number"},
+        {"{sigma_s: thick}", "extras: medium: sigma_s: it is no number"},
+        {"{sigma_s: 1e300}", "extras: medium: sigma_s: it is no number"},
+        {"{sigma_s: 1, g: 1}", "extras: medium: g: it is no number between -1 and 1"},
+        {"{sigma_s: 1, g: -1.5}", "extras: medium: g: it is no number"},
         {"[1, 2]", "extras: medium: it is no object"},
     };
     OWNED(scene) scene;
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        const char *more =
-            form("\"scenes\": [{\"nodes\": [0], \"extras\": {\"medium\": %s}}], ", refused[i][0]);
-        bool loaded = load_parts(&scene, "refused.glb", &(struct gltf_parts){.more = more});
+        const char *more = form("scenes: [{nodes: [0], extras: {medium: %s}}], ", refused[i][0]);
+        bool loaded = load_parts(&scene, "refused.glb", &PARTS(.more = more));
         check_refused(loaded, refused[i][1]);
         assert_non_null(strstr(error_get(), "refused.glb"));
     }
     const char *asset =
-        "{\"version\": \"2.0\", \"extras\": {\"medium\": {\"sigma_s\": [0.1, 0.2, 0.3],"
-        " \"sigma_a\": 0.5, \"g\": -0.25}}}";
-    check_ok("load", load_parts(&scene, "medium.glb", &(struct gltf_parts){.asset = asset}));
+        "{version: '2.0', extras: {medium: {sigma_s: [0.1, 0.2, 0.3], sigma_a: 0.5, g: -0.25}}}";
+    check_ok("load", load_parts(&scene, "medium.glb", &PARTS(.asset = asset)));
     check_vector("scattering", scene.medium.scattering, .1, .2, .3, 1e-7);
     check_vector("absorption", scene.medium.absorption, .5, .5, .5, 0);
     check_near("g", (double)scene.medium.g, -.25, 0);

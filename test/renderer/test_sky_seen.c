@@ -15,27 +15,23 @@
 enum { SIZE = 48, DIRECTIONS = 12, PLACES = 4096, SEEDS = 4 };
 
 /* A closed room, 1 m wide and high, whose wall x = .5 has an upright slit; +Z is up. */
-#define ACROSS_X "\"rotation\": [0, 0.70710678, 0, 0.70710678]"
-#define ACROSS_Y "\"rotation\": [-0.70710678, 0, 0, 0.70710678]"
+#define ACROSS_X "rotation: [0, 0.70710678, 0, 0.70710678]"
+#define ACROSS_Y "rotation: [-0.70710678, 0, 0, 0.70710678]"
 #define SLIT_ROOM                                                                                  \
-    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 0]},"                                             \
-    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]},"                                             \
-    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, 0.5, 1]},"                                \
-    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, -0.5, 1]},"       \
-    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, 0.04, 1]}"
+    "{mesh: 0, translation: [-0.5, -0.5, 0]},{mesh: 0, translation: [-0.5, -0.5, 1]},{mesh: "      \
+    "0, " ACROSS_X ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y                           \
+    ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y                                          \
+    ", translation: [-0.5, 0.5, 1]},{mesh: 0, " ACROSS_X                                           \
+    ", scale: [1, 0.46, 1], translation: [0.5, -0.5, 1]},{mesh: 0, " ACROSS_X                      \
+    ", scale: [1, 0.46, 1], translation: [0.5, 0.04, 1]}"
 
 /* One whose roof has a hole along x = .5; and one with a plain around it. */
 #define ROOF_ROOM                                                                                  \
-    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 0]},"                                             \
-    "{\"mesh\": 0, \"scale\": [0.8, 1, 1], \"translation\": [-0.5, -0.5, 1]},"                     \
-    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [0.5, -0.5, 1]},"                                \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, -0.5, 1]},"                               \
-    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, 0.5, 1]}"
-#define PLAIN_ROOM                                                                                 \
-    "{\"mesh\": 0, \"scale\": [20, 20, 1], \"translation\": [-10, -10, -0.01]}," ROOF_ROOM
+    "{mesh: 0, translation: [-0.5, -0.5, 0]},{mesh: 0, scale: [0.8, 1, 1], translation: [-0.5, "   \
+    "-0.5, 1]},{mesh: 0, " ACROSS_X ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_X          \
+    ", translation: [0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y                                           \
+    ", translation: [-0.5, -0.5, 1]},{mesh: 0, " ACROSS_Y ", translation: [-0.5, 0.5, 1]}"
+#define PLAIN_ROOM "{mesh: 0, scale: [20, 20, 1], translation: [-10, -10, -0.01]}," ROOF_ROOM
 
 static void paint_even(const float direction[3], float radiance[3]) {
     (void)direction;
@@ -44,14 +40,12 @@ static void paint_even(const float direction[3], float radiance[3]) {
 
 /* The camera looks down from the middle of the ceiling. */
 static void open_nodes(struct stage *stage, const char *nodes) {
-    const char *all = form("[{\"camera\": 0, \"translation\": [0, 0, 0.95]}, %s]", nodes);
+    const char *all = form("[{camera: 0, translation: [0, 0, 0.95]}, %s]", nodes);
     *stage = open_stage(write_parts(
         "room.glb",
-        &(struct gltf_parts){.nodes = all,
-                             .materials = "[{\"doubleSided\": true,"
-                                          " \"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-                             .more = "\"cameras\": [{\"type\": \"perspective\","
-                                     " \"perspective\": {\"yfov\": 1.2, \"znear\": 0.01}}],"}));
+        &PARTS(.nodes = all,
+               .materials = "[{doubleSided: true, pbrMetallicRoughness: {metallicFactor: 0}}]",
+               .more = "cameras: [{type: perspective, perspective: {yfov: 1.2, znear: 0.01}}],")));
     set_sky(stage, 64, 32, paint_even);
 }
 
@@ -106,7 +100,7 @@ TEST(open_floor) {
     OWNED(stage) stage;
     struct sky_groups groups, even;
     struct environment_lights lights;
-    open_nodes(&stage, "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
+    open_nodes(&stage, "{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}");
     group(&groups, &lights, &stage);
     environment_lights_group(&even, &lights, DIRECTIONS);
     assert_true(sky_groups_same(&groups, &even));
@@ -196,7 +190,7 @@ TEST(voxels) {
  * edges. */
 TEST(closed_room) {
     OWNED(stage) stage;
-    open_nodes(&stage, PLAIN_ROOM ", {\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]}");
+    open_nodes(&stage, PLAIN_ROOM ", {mesh: 0, translation: [-0.5, -0.5, 1]}");
     OWNED(image) image = render_stage(&stage, "clustered", "path=traced importance=off", SIZE);
     check_near("indirect light", layer_mean(&image, "indirect"), 0, .002);
 }

@@ -176,8 +176,9 @@ TEST(caustic) {
     }
     for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
         with.scene.materials[SMOOTH].absorption[c] = .1F;
-    OWNED(image) a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
-                                       " caustics.size=256 medium.steps=128");
+    OWNED(image) a =
+        draw(&with, CHEAP
+             "caustics.surface=patches caustics.medium=lines caustics.size=256 medium.steps=128");
     OWNED(image) b = draw(&without, CHEAP "medium.steps=128");
     for (int c = 0; c < 3; c++) {
         const char *direct = form("direct.%s", channels[c]);
@@ -304,24 +305,22 @@ static bool open_file(struct scene *scene, struct geometry *geometry, const char
     write_tiny_png(scratch("slide.png"), two, 2, 1);
     write_bytes(scratch("broken.png"), two, sizeof two);
     snprintf(more, sizeof more,
-             "\"extensionsUsed\": [\"KHR_lights_punctual\"], \"images\": [{\"uri\": \"%s\"}],"
-             " \"textures\": [{\"source\": 0}, {}], \"extensions\": {\"KHR_lights_punctual\":"
-             " {\"lights\": [{%s, \"extras\": %s}]}},",
+             "extensionsUsed: [KHR_lights_punctual], images: [{uri: '%s'}], textures: [{source: "
+             "0}, {}], extensions: {KHR_lights_punctual: {lights: [{%s, extras: %s}]}},",
              picture, light, extras);
     const char *path = write_parts(
-        "slide.glb", &(struct gltf_parts){.more = more,
-                                          .nodes = "[{\"mesh\": 0}, {\"extensions\":"
-                                                   " {\"KHR_lights_punctual\": {\"light\": 0}}}]"});
+        "slide.glb",
+        &PARTS(.more = more,
+               .nodes = "[{mesh: 0}, {extensions: {KHR_lights_punctual: {light: 0}}}]"));
     return scene_open(scene, geometry, path, NULL);
 }
 
-#define SPOT "\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 0.5}"
+#define SPOT "type: spot, spot: {outerConeAngle: 0.5}"
 
 TEST(file) {
     OWNED(scene) scene;
     OWNED(geometry) geometry;
-    check_ok("opened",
-             open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.png"));
+    check_ok("opened", open_file(&scene, &geometry, SPOT, "{texture: {index: 0}}", "slide.png"));
     OWNED(emitters) emitters = emitters_place(&scene, 0);
     assert_non_null(emitters.items[0].slide);
     for (int side = 0; side < 2; side++) { /* a light looks along -z, its right is x */
@@ -341,8 +340,7 @@ TEST(jpeg) {
         rgba[4 * i + (i % 16 >= 8)] = rgba[4 * i + 3] = 255;
     check_ok("written", bitmap_write(&(struct bitmap){.width = 16, .height = 8, .rgba = rgba},
                                      scratch("slide.jpg")));
-    check_ok("opened",
-             open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.jpg"));
+    check_ok("opened", open_file(&scene, &geometry, SPOT, "{texture: {index: 0}}", "slide.jpg"));
     OWNED(emitters) emitters = emitters_place(&scene, 0);
     assert_non_null(emitters.items[0].slide);
     check_near("width", emitters.items[0].slide->width, 16, 0);
@@ -358,15 +356,15 @@ TEST(refused) {
     static const struct {
         const char *light, *extras, *message, *picture;
     } rows[] = {
-        {SPOT, "{\"texture\": {\"index\": 0}}", "image 0", "missing.png"},
-        {SPOT, "{\"texture\": {\"index\": 0}}", "image 0", "broken.png"},
-        {SPOT, "{\"texture\": {\"index\": 7}}", "a texture of the file", "slide.png"},
-        {SPOT, "{\"texture\": {\"index\": 1}}", "with a picture", "slide.png"},
-        {SPOT, "{\"texture\": {\"index\": -1}}", "a texture of the file", "slide.png"},
-        {SPOT, "{\"texture\": \"slide.png\"}", "a texture of the file", "slide.png"},
-        {"\"type\": \"point\"", "{\"texture\": {\"index\": 0}}", "only a spot", "slide.png"},
-        {"\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 1.5}", "{\"texture\": {\"index\": 0}}",
-         "half angle", "slide.png"},
+        {SPOT, "{texture: {index: 0}}", "image 0", "missing.png"},
+        {SPOT, "{texture: {index: 0}}", "image 0", "broken.png"},
+        {SPOT, "{texture: {index: 7}}", "a texture of the file", "slide.png"},
+        {SPOT, "{texture: {index: 1}}", "with a picture", "slide.png"},
+        {SPOT, "{texture: {index: -1}}", "a texture of the file", "slide.png"},
+        {SPOT, "{texture: 'slide.png'}", "a texture of the file", "slide.png"},
+        {"type: point", "{texture: {index: 0}}", "only a spot", "slide.png"},
+        {"type: spot, spot: {outerConeAngle: 1.5}", "{texture: {index: 0}}", "half angle",
+         "slide.png"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;

@@ -19,24 +19,18 @@ enum { TIMES, VALUES = 8, EXTRA_FLOATS = 64 };
 
 /* The node's quad, moved by one sampler of values of that type and count. */
 #define CLIP_ACCESSORS(values)                                                                     \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 3,"              \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 96, \"componentType\": 5126, " values "}]"
+    "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 3, type: "       \
+                   "SCALAR}, {bufferView: 0, byteOffset: 96, componentType: 5126, " values "}]"
 #define CLIP(path, interpolation)                                                                  \
-    "{\"name\": \"" path "\", \"channels\": [{\"sampler\": 0, \"target\": {\"node\": 0, \"path\":" \
-    " \"" path "\"}}], \"samplers\": [{\"input\": 2, \"output\": 3, \"interpolation\":"            \
-    " \"" interpolation "\"}]}"
-#define CLIPS(clips) "\"animations\": [" clips "],"
+    "{name: '" path "', channels: [{sampler: 0, target: {node: 0, path: '" path                    \
+    "'}}], samplers: [{input: 2, output: 3, interpolation: '" interpolation "'}]}"
+#define CLIPS(clips) "animations: [" clips "],"
 
 static void load_clip(struct scene *scene, const char *accessors, const char *more,
                       const float *values, int count) {
     float extra[EXTRA_FLOATS] = {1, 2, 4};
     memcpy(extra + VALUES, values, (size_t)count * sizeof *values);
-    struct gltf_parts parts = {
-        .accessors = accessors, .more = more, .extra = extra, .extra_size = sizeof extra};
+    struct gltf_parts parts = {.accessors = accessors, .more = more, EXTRA(extra)};
     check_ok("clip", load_parts(scene, "clip.glb", &parts));
 }
 
@@ -59,8 +53,7 @@ TEST(interpolation) {
     static const double times[6] = {0, 1, 1.5, 2, 3, 9};
     for (int i = 0; i < 2; i++) {
         OWNED(scene) scene;
-        load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""), cases[i].clip, values,
-                  9);
+        load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"), cases[i].clip, values, 9);
         for (int t = 0; t < 6; t++)
             check_near("x", (double)translation_x(&scene, times[t]), cases[i].expected[t], 1e-6);
         check_near("duration", scene_duration(&scene), 4, 0);
@@ -76,7 +69,7 @@ TEST(cubic) {
         values[9 * k + 3] = (float)pow(keys[k], 3);
     }
     OWNED(scene) scene;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 9, \"type\": \"VEC3\""),
+    load_clip(&scene, CLIP_ACCESSORS("count: 9, type: VEC3"),
               CLIPS(CLIP("translation", "CUBICSPLINE")), values, 27);
     for (double t = 1; t <= 4; t += .25)
         check_near("x", (double)translation_x(&scene, t), t * t * t, 1e-5);
@@ -87,8 +80,8 @@ TEST(rotation) {
     const float h = (float)sqrt(.5);
     const float values[12] = {0, 0, 0, 1, 0, 0, -h, -h, 0, 0, 0, 1};
     OWNED(scene) scene;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC4\""),
-              CLIPS(CLIP("rotation", "LINEAR")), values, 12);
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC4"), CLIPS(CLIP("rotation", "LINEAR")),
+              values, 12);
     static const double times[] = {1, 1.25, 1.5, 2, 3, 4}, degrees[] = {0, 22.5, 45, 90, 45, 0};
     for (int i = 0; i < 6; i++) {
         float world[8][16];
@@ -101,7 +94,7 @@ TEST(rotation) {
 TEST(clip_choice) {
     static const float values[] = {3, 0, 0, 5, 0, 0, -1, 0, 0};
     OWNED(scene) scene;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
     assert_int_equal(scene.playing_count, 2);
     check_ok("by name", clips_select(&scene, "scale"));
@@ -118,7 +111,7 @@ static bool is_rigid(const char *clips) {
     static const float values[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
     OWNED(scene) scene;
     OWNED(geometry) geometry;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""), clips, values, 9);
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"), clips, values, 9);
     check_ok("geometry", geometry_init(&geometry, &scene, 1));
     bool rigid = geometry.parts[0].rigid;
     return rigid;
@@ -139,15 +132,13 @@ TEST(camera_and_light) {
     float extra[EXTRA_FLOATS] = {1, 2, 4};
     memcpy(extra + VALUES, values, sizeof values);
     struct gltf_parts parts = {
-        .accessors = CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC4\""),
-        .nodes = "[{\"children\": [1, 2]}, {\"mesh\": 0, \"camera\": 0, \"translation\": [0,0,5]},"
-                 " {\"translation\": [3,0,0],"
-                 " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-        .more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\":"
-                " {\"yfov\": 1, \"znear\": 0.1}}], \"extensions\": {\"KHR_lights_punctual\":"
-                " {\"lights\": [{\"type\": \"point\"}]}}," CLIPS(CLIP("rotation", "LINEAR")),
-        .extra = extra,
-        .extra_size = sizeof extra};
+        .accessors = CLIP_ACCESSORS("count: 3, type: VEC4"),
+        .nodes = "[{children: [1, 2]}, {mesh: 0, camera: 0, translation: [0,0,5]}, {translation: "
+                 "[3,0,0], extensions: {KHR_lights_punctual: {light: 0}}}]",
+        .more =
+            "cameras: [{type: perspective, perspective: {yfov: 1, znear: 0.1}}], extensions: "
+            "{KHR_lights_punctual: {lights: [{type: point}]}}," CLIPS(CLIP("rotation", "LINEAR")),
+        EXTRA(extra)};
     check_ok("scene", load_parts(&scene, "clip.glb", &parts));
     struct camera camera;
     struct emitter light;
@@ -173,20 +164,15 @@ TEST(morph) {
         extra[28 + 3 * v] = 10;
     struct gltf_parts parts = {
         .accessors =
-            "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\":"
-            " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123,"
-            " \"count\": 6, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64,"
-            " \"componentType\": 5126, \"count\": 3, \"type\": \"SCALAR\"},"
-            " {\"bufferView\": 0, \"byteOffset\": 96, \"componentType\": 5126,"
-            " \"count\": 6, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 128,"
-            " \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-            " {\"bufferView\": 0, \"byteOffset\": 176, \"componentType\": 5126,"
-            " \"count\": 4, \"type\": \"VEC3\"}]",
-        .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                  " \"targets\": [{\"POSITION\": 4}, {\"POSITION\": 5}]}]}]",
+            "[" PARTS_QUAD
+            ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 3, type: SCALAR}, "
+            "{bufferView: 0, byteOffset: 96, componentType: 5126, count: 6, type: SCALAR}, "
+            "{bufferView: 0, byteOffset: 128, componentType: 5126, count: 4, type: VEC3}, "
+            "{bufferView: 0, byteOffset: 176, componentType: 5126, count: 4, type: VEC3}]",
+        .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, targets: [{POSITION: 4}, "
+                  "{POSITION: 5}]}]}]",
         .more = CLIPS(CLIP("weights", "LINEAR")),
-        .extra = extra,
-        .extra_size = sizeof extra};
+        EXTRA(extra)};
     OWNED(scene) scene;
     OWNED(geometry) geometry;
     check_ok("scene", load_parts(&scene, "morph.glb", &parts));
@@ -206,19 +192,12 @@ TEST(morph) {
 }
 
 static const char skin_accessors[] =
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-    " \"type\": \"SCALAR\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 3,"
-    " \"type\": \"SCALAR\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 76, \"componentType\": 5126, \"count\": 3,"
-    " \"type\": \"VEC4\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 124, \"componentType\": 5126, \"count\": 4,"
-    " \"type\": \"VEC4\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 188, \"componentType\": 5121, \"count\": 4,"
-    " \"type\": \"VEC4\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 204, \"componentType\": 5126, \"count\": 1,"
-    " \"type\": \"MAT4\"}]";
+    "[" PARTS_QUAD
+    ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 3, type: SCALAR}, {bufferView: "
+    "0, byteOffset: 76, componentType: 5126, count: 3, type: VEC4}, {bufferView: 0, byteOffset: "
+    "124, componentType: 5126, count: 4, type: VEC4}, {bufferView: 0, byteOffset: 188, "
+    "componentType: 5121, count: 4, type: VEC4}, {bufferView: 0, byteOffset: 204, componentType: "
+    "5126, count: 1, type: MAT4}]";
 
 /* One joint with an inverse bind matrix, and one whose is the identity but for want of a second:
  * the file gives each skin one joint, and the second skin none. */
@@ -236,15 +215,14 @@ TEST(skin) {
         ((unsigned char *)(extra + 31))[4 * v + 1] = 1;
     struct gltf_parts parts = {
         .accessors = skin_accessors,
-        .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"JOINTS_0\": 5,"
-                  " \"WEIGHTS_0\": 4}, \"indices\": 1}]}]",
+        .meshes =
+            "[{primitives: [{attributes: {POSITION: 0, JOINTS_0: 5, WEIGHTS_0: 4}, indices: 1}]}]",
         /* The joint that turns stands at (1, 0, 0), the other at (0, 7, 0); where the mesh's own
          * node stands must not matter. */
-        .nodes = "[{\"translation\": [1,0,0]}, {\"translation\": [0,7,0]},"
-                 " {\"mesh\": 0, \"skin\": 0, \"translation\": [100,100,100]}]",
-        .more = "\"skins\": [{\"joints\": [0, 1]}]," CLIPS(CLIP("rotation", "LINEAR")),
-        .extra = extra,
-        .extra_size = sizeof extra};
+        .nodes = "[{translation: [1,0,0]}, {translation: [0,7,0]}, {mesh: 0, skin: 0, translation: "
+                 "[100,100,100]}]",
+        .more = "skins: [{joints: [0, 1]}]," CLIPS(CLIP("rotation", "LINEAR")),
+        EXTRA(extra)};
     struct scene scene;
     struct geometry geometry;
     check_ok("scene", load_parts(&scene, "skin.glb", &parts));
@@ -264,9 +242,9 @@ TEST(skin) {
     }
     geometry_free(&geometry);
     scene_free(&scene);
-    parts.more = "\"skins\": [{\"joints\": [0], \"inverseBindMatrices\": 6}],";
+    parts.more = "skins: [{joints: [0], inverseBindMatrices: 6}],";
     check_refused(load_parts(&scene, "skin.glb", &parts), "follows joint 1, but its skin has 1");
-    parts.more = "\"skins\": [{\"joints\": [0, 1], \"inverseBindMatrices\": 6}],";
+    parts.more = "skins: [{joints: [0, 1], inverseBindMatrices: 6}],";
     check_refused(load_parts(&scene, "skin.glb", &parts),
                   "skin 0: inverseBindMatrices: 1 for 2 joints");
 }
@@ -327,7 +305,7 @@ TEST(bounds_of_clip) {
     static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
     OWNED(scene) scene;
     OWNED(geometry) geometry, first;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
     check_ok("one clip", clips_select(&scene, "translation"));
     check_ok("geometry", geometry_init(&first, &scene, 0));
@@ -353,8 +331,8 @@ TEST(bounds_of_pose) {
     static const struct gltf_parts quad = {0};
     struct scene scene;
     struct geometry moved, still, whole;
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
-              CLIPS(CLIP("translation", "LINEAR")), values, 9);
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"), CLIPS(CLIP("translation", "LINEAR")),
+              values, 9);
     check_ok("geometry", geometry_init_still(&moved, &scene, 2));
     check_bounds(&moved, (float[]){10, 0, 0}, (float[]){11, 1, 0});
     geometry_free(&moved);
@@ -377,11 +355,10 @@ TEST(bounds_of_pose) {
 TEST(left_out) {
     OWNED(scene) scene;
     hear_notes();
-    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
-              CLIPS("{\"channels\": [{\"sampler\": 0, \"target\": {\"path\": \"scale\"}},"
-                    " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"pointer\"}},"
-                    " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"translation\"}}],"
-                    " \"samplers\": [{\"input\": 2, \"output\": 3}]}"),
+    load_clip(&scene, CLIP_ACCESSORS("count: 3, type: VEC3"),
+              CLIPS("{channels: [{sampler: 0, target: {path: scale}}, {sampler: 0, target: {node: "
+                    "0, path: pointer}}, {sampler: 0, target: {node: 0, path: translation}}], "
+                    "samplers: [{input: 2, output: 3}]}"),
               (float[]){10, 0, 0, 20, 0, 0, 40, 0, 0}, 9);
     printf("    %s\n", notes);
     assert_non_null(strstr(notes, "animation of 'pointer'"));
@@ -394,23 +371,15 @@ TEST(left_out) {
     } extra = {{{0}}, {{1}, {1}, {1}, {1}}};
     check_ok(
         "joints",
-        load_parts(
-            &scene, "joints.glb",
-            &(struct gltf_parts){
-                .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4,"
-                             " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48,"
-                             " \"componentType\": 5123, \"count\": 6, \"type\": \"SCALAR\"},"
-                             " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5121,"
-                             " \"count\": 4, \"type\": \"VEC4\"}, {\"bufferView\": 0,"
-                             " \"byteOffset\": 80, \"componentType\": 5126, \"count\": 4,"
-                             " \"type\": \"VEC4\"}]",
-                .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"JOINTS_0\": 2,"
-                          " \"WEIGHTS_0\": 3, \"JOINTS_1\": 2, \"WEIGHTS_1\": 3},"
-                          " \"indices\": 1}]}]",
-                .nodes = "[{\"mesh\": 0, \"skin\": 0}]",
-                .more = "\"skins\": [{\"joints\": [0]}],",
-                .extra = &extra,
-                .extra_size = sizeof extra}));
+        load_parts(&scene, "joints.glb",
+                   &PARTS(.accessors = "[" PARTS_QUAD
+                                       ", {bufferView: 0, byteOffset: 64, componentType: 5121, "
+                                       "count: 4, type: VEC4}, {bufferView: 0, byteOffset: 80, "
+                                       "componentType: 5126, count: 4, type: VEC4}]",
+                          .meshes = "[{primitives: [{attributes: {POSITION: 0, JOINTS_0: 2, "
+                                    "WEIGHTS_0: 3, JOINTS_1: 2, WEIGHTS_1: 3}, indices: 1}]}]",
+                          .nodes = "[{mesh: 0, skin: 0}]", .more = "skins: [{joints: [0]}],",
+                          EXTRA(extra))));
     end_notes();
     printf("    %s\n", notes);
     assert_non_null(strstr(notes, "more than four joints a vertex"));
@@ -423,21 +392,14 @@ TEST(weights_of_places) {
     OWNED(scene) scene;
     check_ok(
         "places",
-        load_parts(
-            &scene, "places.glb",
-            &(struct gltf_parts){
-                .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4,"
-                             " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48,"
-                             " \"componentType\": 5123, \"count\": 6, \"type\": \"SCALAR\"},"
-                             " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"
-                             " \"count\": 2, \"type\": \"VEC3\"}]",
-                .meshes =
-                    "[{\"weights\": [0.5], \"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                    " \"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]",
-                .nodes = "[{\"mesh\": 0, \"weights\": [0.25], \"extensions\":"
-                         " {\"EXT_mesh_gpu_instancing\": {\"attributes\": {\"SCALE\": 2}}}}]",
-                .extra = places,
-                .extra_size = sizeof places}));
+        load_parts(&scene, "places.glb",
+                   &PARTS(.accessors = "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, "
+                                                      "componentType: 5126, count: 2, type: VEC3}]",
+                          .meshes = "[{weights: [0.5], primitives: [{attributes: {POSITION: 0}, "
+                                    "indices: 1, targets: [{POSITION: 0}]}]}]",
+                          .nodes = "[{mesh: 0, weights: [0.25], extensions: "
+                                   "{EXT_mesh_gpu_instancing: {attributes: {SCALE: 2}}}}]",
+                          EXTRA(places))));
     assert_int_equal(scene.node_count, 3);
     for (int i = 1; i < 3; i++) {
         check_near("weight", (double)scene.nodes[i].weights[0], .25, 0);
@@ -455,48 +417,46 @@ TEST(refusals) {
         float extra[EXTRA_FLOATS];
     } hostile[] = {
         {"channel 0: input: time 1 is 1 s",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+         CLIP_ACCESSORS("count: 3, type: VEC3"),
          CLIPS(CLIP("scale", "LINEAR")),
          {1, 1, 2}},
         {"channel 0: input: time 0 is -1 s",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+         CLIP_ACCESSORS("count: 3, type: VEC3"),
          CLIPS(CLIP("scale", "LINEAR")),
          {-1, 1, 2}},
         {"channel 0: input: time 2 is inf s",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+         CLIP_ACCESSORS("count: 3, type: VEC3"),
          CLIPS(CLIP("scale", "LINEAR")),
          {0, 1, 0x1p127F * 2}},
         {"channel 0: output: 9 elements, not 3",
-         CLIP_ACCESSORS("\"count\": 9, \"type\": \"VEC3\""),
+         CLIP_ACCESSORS("count: 9, type: VEC3"),
          CLIPS(CLIP("scale", "LINEAR")),
          {0, 1, 2}},
         {"channel 0: output: accessor 3 has 2 numbers an element, not 3",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC2\""),
+         CLIP_ACCESSORS("count: 3, type: VEC2"),
          CLIPS(CLIP("scale", "LINEAR")),
          {0, 1, 2}},
         {"channel 0: output: number 1 is inf",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+         CLIP_ACCESSORS("count: 3, type: VEC3"),
          CLIPS(CLIP("scale", "STEP")),
          {0, 1, 2, [VALUES + 1] = 0x1p127F * 2}},
         {"channel 0: output: value 0 is a quaternion of length 0",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC4\""),
+         CLIP_ACCESSORS("count: 3, type: VEC4"),
          CLIPS(CLIP("rotation", "STEP")),
          {0, 1, 2}},
         {"weights of a node without morph targets",
-         CLIP_ACCESSORS("\"count\": 3, \"type\": \"SCALAR\""),
+         CLIP_ACCESSORS("count: 3, type: SCALAR"),
          CLIPS(CLIP("weights", "STEP")),
          {0, 1, 2}},
         {"animation 0: channel 0: its sampler is 4, but there are 0",
          NULL,
-         CLIPS("{\"channels\": [{\"sampler\": 4, \"target\": {\"path\": \"scale\"}}],"
-               " \"samplers\": []}"),
+         CLIPS("{channels: [{sampler: 4, target: {path: scale}}], samplers: []}"),
          {0}},
         {"node: 8, but there are 1 nodes",
          NULL,
-         CLIPS("{\"channels\": [{\"sampler\": 0, \"target\": {\"node\": 8, \"path\": \"scale\"}}],"
-               " \"samplers\": []}"),
+         CLIPS("{channels: [{sampler: 0, target: {node: 8, path: scale}}], samplers: []}"),
          {0}},
-        {"skin 0: it has no joints", NULL, "\"skins\": [{\"joints\": []}],", {0}},
+        {"skin 0: it has no joints", NULL, "skins: [{joints: []}],", {0}},
     };
     for (size_t i = 0; i < sizeof hostile / sizeof *hostile; i++) {
         struct gltf_parts parts = {.accessors = hostile[i].accessors,

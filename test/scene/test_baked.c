@@ -152,30 +152,22 @@ static const char *write_model(const char *name, const struct mesh_data *mesh, i
     assert_true(fclose(bin) == 0);
     int length = snprintf(
         json, sizeof json,
-        "{\"asset\": {\"version\": \"2.0\"}, %s \"buffers\": [{\"uri\": \"%s\", \"byteLength\": "
-        "%d}],"
-        " \"bufferViews\": [{\"buffer\": 0, \"byteLength\": %d, \"byteStride\": %d},"
-        " {\"buffer\": 0, \"byteOffset\": %d, \"byteLength\": %d}],"
-        " \"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": %d, \"type\":"
-        " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 12, \"componentType\": 5126, \"count\": "
-        "%d,"
-        " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 24, \"componentType\": 5126,"
-        " \"count\": %d, \"type\": \"VEC2\"}, {\"bufferView\": 0, \"byteOffset\": 32,"
-        " \"componentType\": 5126, \"count\": %d, \"type\": \"VEC2\"}, {\"bufferView\": 0,"
-        " \"byteOffset\": 40, \"componentType\": 5126, \"count\": %d, \"type\": \"VEC4\"},"
-        " {\"bufferView\": 1, \"componentType\": 5123, \"count\": %d, \"type\": \"SCALAR\"},"
-        " {\"bufferView\": 1, \"byteOffset\": %d, \"componentType\": 5123, \"count\": %d, \"type\":"
-        " \"SCALAR\"}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0,"
-        " \"NORMAL\": 1, \"TEXCOORD_0\": 2, \"TEXCOORD_1\": 3, \"COLOR_0\": 4}, \"indices\": 5,"
-        " \"material\": 0}, {\"attributes\": {\"POSITION\": 0, \"NORMAL\": 1}, \"indices\": 6,"
-        " \"material\": 1}]}], \"materials\": [%s, {\"pbrMetallicRoughness\": {\"metallicFactor\":"
-        " 0, \"baseColorFactor\": [0.6, 0.6, 0.6, 1]}}], \"cameras\": [{\"type\": \"perspective\","
-        " \"perspective\": {\"yfov\": 0.6, \"znear\": 0.1}}], \"nodes\": [{\"mesh\": 0, "
-        "\"rotation\":"
-        " [0, 0.3, 0, 0.954]}, {\"camera\": 0, \"translation\": [0, 1.8, 3], \"rotation\":"
-        " [-0.2164, 0, 0, 0.9763]}, {\"translation\": [1.5, 3, 2],"
-        " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}], \"extensions\":"
-        " {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\", \"intensity\": 20}]}}}",
+        "{asset: {version: '2.0'}, %s buffers: [{uri: '%s', byteLength: %d}], bufferViews: "
+        "[{buffer: 0, byteLength: %d, byteStride: %d}, {buffer: 0, byteOffset: %d, byteLength: "
+        "%d}], accessors: [{bufferView: 0, componentType: 5126, count: %d, type: VEC3}, "
+        "{bufferView: 0, byteOffset: 12, componentType: 5126, count: %d, type: VEC3}, {bufferView: "
+        "0, byteOffset: 24, componentType: 5126, count: %d, type: VEC2}, {bufferView: 0, "
+        "byteOffset: 32, componentType: 5126, count: %d, type: VEC2}, {bufferView: 0, byteOffset: "
+        "40, componentType: 5126, count: %d, type: VEC4}, {bufferView: 1, componentType: 5123, "
+        "count: %d, type: SCALAR}, {bufferView: 1, byteOffset: %d, componentType: 5123, count: %d, "
+        "type: SCALAR}], meshes: [{primitives: [{attributes: {POSITION: 0, NORMAL: 1, TEXCOORD_0: "
+        "2, TEXCOORD_1: 3, COLOR_0: 4}, indices: 5, material: 0}, {attributes: {POSITION: 0, "
+        "NORMAL: 1}, indices: 6, material: 1}]}], materials: [%s, {pbrMetallicRoughness: "
+        "{metallicFactor: 0, baseColorFactor: [0.6, 0.6, 0.6, 1]}}], cameras: [{type: perspective, "
+        "perspective: {yfov: 0.6, znear: 0.1}}], nodes: [{mesh: 0, rotation: [0, 0.3, 0, 0.954]}, "
+        "{camera: 0, translation: [0, 1.8, 3], rotation: [-0.2164, 0, 0, 0.9763]}, {translation: "
+        "[1.5, 3, 2], extensions: {KHR_lights_punctual: {light: 0}}}], extensions: "
+        "{KHR_lights_punctual: {lights: [{type: point, intensity: 20}]}}}",
         more, file, vertices + 2 * mesh->index_count, vertices, size, vertices,
         2 * mesh->index_count, mesh->vertex_count, mesh->vertex_count, mesh->vertex_count,
         mesh->vertex_count, mesh->vertex_count, model_indices, 2 * model_indices,
@@ -196,12 +188,10 @@ static const char *write_cube(void) {
     write_texture("checks.png", checks);
     write_texture("bars.png", bars);
     return write_model("cube", &mesh, model,
-                       "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\":"
-                       " {\"index\": 0}}, \"emissiveFactor\": [1, 1, 1], \"emissiveTexture\":"
-                       " {\"index\": 1, \"texCoord\": 1}}",
-                       "\"images\": [{\"uri\": \"checks.png\"}, {\"uri\": \"bars.png\"}],"
-                       " \"samplers\": [{\"magFilter\": 9728}], \"textures\": [{\"source\": 0,"
-                       " \"sampler\": 0}, {\"source\": 1, \"sampler\": 0}],");
+                       "{pbrMetallicRoughness: {metallicFactor: 0, baseColorTexture: {index: 0}}, "
+                       "emissiveFactor: [1, 1, 1], emissiveTexture: {index: 1, texCoord: 1}}",
+                       "images: [{uri: 'checks.png'}, {uri: 'bars.png'}], samplers: [{magFilter: "
+                       "9728}], textures: [{source: 0, sampler: 0}, {source: 1, sampler: 0}],");
 }
 
 static const char *write_helmet(void) {
@@ -217,13 +207,12 @@ static const char *write_helmet(void) {
     write_texture("shade.png", shade);
     return write_model(
         "helmet", &mesh, model,
-        "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0},"
-        " \"metallicRoughnessTexture\": {\"index\": 1}}, \"emissiveFactor\": [1, 1, 1],"
-        " \"emissiveTexture\": {\"index\": 2}, \"normalTexture\": {\"index\": 3, \"texCoord\": 1},"
-        " \"occlusionTexture\": {\"index\": 4}}",
-        "\"images\": [{\"uri\": \"panels.png\"}, {\"uri\": \"metal.png\"}, {\"uri\":"
-        " \"lamps.png\"}, {\"uri\": \"dents.png\"}, {\"uri\": \"shade.png\"}], \"textures\":"
-        " [{\"source\": 0}, {\"source\": 1}, {\"source\": 2}, {\"source\": 3}, {\"source\": 4}],");
+        "{pbrMetallicRoughness: {baseColorTexture: {index: 0}, metallicRoughnessTexture: {index: "
+        "1}}, emissiveFactor: [1, 1, 1], emissiveTexture: {index: 2}, normalTexture: {index: 3, "
+        "texCoord: 1}, occlusionTexture: {index: 4}}",
+        "images: [{uri: 'panels.png'}, {uri: 'metal.png'}, {uri: 'lamps.png'}, {uri: 'dents.png'}, "
+        "{uri: 'shade.png'}], textures: [{source: 0}, {source: 1}, {source: 2}, {source: 3}, "
+        "{source: 4}],");
 }
 
 /* The noise is that of light of lamps and of specular reflection. Edges of textures and of shadows

@@ -68,20 +68,15 @@ TEST(blending) {
     OWNED(scene) scene;
     const struct gltf_parts parts = {
         .accessors = PARTS_TEXTURED,
-        .more = "\"images\": [{\"uri\": \"curtain.png\"}, {\"uri\": \"leaf.png\"},"
-                " {\"uri\": \"ramp.png\"}],"
-                " \"textures\": [{\"source\": 0}, {\"source\": 1}, {\"source\": 2,"
-                " \"sampler\": 0}], \"samplers\": [{\"wrapS\": 33071}],",
-        .materials = "[{\"alphaMode\": \"BLEND\"}, {\"alphaMode\": \"BLEND\","
-                     " \"emissiveFactor\": [1, 0, 0]}, {\"alphaMode\": \"BLEND\","
-                     " \"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}},"
-                     " {\"alphaMode\": \"BLEND\", \"pbrMetallicRoughness\":"
-                     " {\"baseColorTexture\": {\"index\": 1}}},"
-                     " {\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 2}}}]",
-        .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2},"
-                  " \"indices\": 1, \"material\": 2}]}]",
-        .extra = uvs,
-        .extra_size = sizeof uvs};
+        .more = "images: [{uri: 'curtain.png'}, {uri: 'leaf.png'}, {uri: 'ramp.png'}], textures: "
+                "[{source: 0}, {source: 1}, {source: 2, sampler: 0}], samplers: [{wrapS: 33071}],",
+        .materials = "[{alphaMode: BLEND}, {alphaMode: BLEND, emissiveFactor: [1, 0, 0]}, "
+                     "{alphaMode: BLEND, pbrMetallicRoughness: {baseColorTexture: {index: 0}}}, "
+                     "{alphaMode: BLEND, pbrMetallicRoughness: {baseColorTexture: {index: 1}}}, "
+                     "{pbrMetallicRoughness: {baseColorTexture: {index: 2}}}]",
+        .meshes =
+            "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_0: 2}, indices: 1, material: 2}]}]",
+        EXTRA(uvs)};
     check_ok("blend", load_parts(&scene, "blend.glb", &parts));
     const struct material *of = scene.materials;
     assert_false(of[0].blends || of[0].alpha_mask);

@@ -18,30 +18,22 @@
 static const float keys[] = {0, 1, 0, 2, 0, 0, 0, 4, 0, 0};
 
 #define ACCESSORS                                                                                  \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 2,"              \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 72, \"componentType\": 5126, \"count\": 2,"              \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 80, \"componentType\": 5126, \"count\": 2,"              \
-    " \"type\": \"VEC3\"}]"
+    "[" PARTS_QUAD                                                                                 \
+    ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 2, type: SCALAR}, "             \
+    "{bufferView: 0, byteOffset: 72, componentType: 5126, count: 2, type: SCALAR}, {bufferView: "  \
+    "0, byteOffset: 80, componentType: 5126, count: 2, type: VEC3}]"
 #define CHANNEL(node, path, sampler)                                                               \
-    "{\"sampler\": " sampler ", \"target\": {\"node\": " node ", \"path\": \"" path "\"}}"
+    "{sampler: " sampler ", target: {node: " node ", path: '" path "'}}"
 #define CLIP(name, channels)                                                                       \
-    "{\"name\": \"" name "\", \"channels\": [" channels "], \"samplers\": [{\"input\": 2,"         \
-    " \"output\": 4}, {\"input\": 3, \"output\": 4}]}"
+    "{name: '" name "', channels: [" channels                                                      \
+    "], samplers: [{input: 2, output: 4}, {input: 3, output: 4}]}"
 
 static const char *write_clips(const char *clips) {
     static char more[4096];
-    snprintf(more, sizeof more, "\"animations\": [%s],", clips);
-    return write_parts("clips.glb", &(struct gltf_parts){.accessors = ACCESSORS,
-                                                         .nodes = "[{\"mesh\": 0}, {\"mesh\": 0},"
-                                                                  " {\"mesh\": 0}]",
-                                                         .more = more,
-                                                         .extra = keys,
-                                                         .extra_size = sizeof keys});
+    snprintf(more, sizeof more, "animations: [%s],", clips);
+    return write_parts("clips.glb",
+                       &PARTS(.accessors = ACCESSORS, .nodes = "[{mesh: 0}, {mesh: 0}, {mesh: 0}]",
+                              .more = more, EXTRA(keys)));
 }
 
 static void load(struct scene *scene, const char *clips) {

@@ -11,32 +11,26 @@
 #include <stdlib.h>
 
 /* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards. */
-#define ACCESSORS                                                                                  \
-    "[" CUBE_ACCESSORS ","                                                                         \
-    " {\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
-    " \"type\": \"SCALAR\"}]"
+#define ACCESSORS "[" CUBE_ACCESSORS ", " PARTS_QUAD "]"
 
 /* Mesh 2 is a square of 1 m from the origin, towards +Z; mesh 3 is mesh 0 of the
  * square's material. */
 #define MESH(positions, indices, material)                                                         \
-    "{\"primitives\": [{\"attributes\": {\"POSITION\": " positions "}, \"indices\": " indices      \
-    ", \"material\": " material "}]}"
+    "{primitives: [{attributes: {POSITION: " positions "}, indices: " indices                      \
+    ", material: " material "}]}"
 #define MESHES                                                                                     \
     "[" MESH("0", "1", "0") "," MESH("0", "2", "0") "," MESH("3", "4", "1") "," MESH("0", "1",     \
                                                                                      "1") "]"
-#define CUBE "{\"mesh\": 0}"
-#define ROOM "{\"mesh\": 1, \"scale\": [2.5, 1.5, 2.5]}"
+#define CUBE "{mesh: 0}"
+#define ROOM "{mesh: 1, scale: [2.5, 1.5, 2.5]}"
 
 /* A square of a side at a place, turned: towards +Y, -Y and +Z. */
 #define UP "[-0.70710678, 0, 0, 0.70710678]"
 #define DOWN "[0.70710678, 0, 0, 0.70710678]"
 #define AHEAD "[0, 0, 0, 1]"
 #define SQUARE(side, place, turn)                                                                  \
-    "{\"mesh\": 2, \"scale\": [" side "," side "," side "], \"translation\": " place               \
-    ", \"rotation\": " turn "}"
-#define POINT(place)                                                                               \
-    "{\"translation\": " place ", \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}"
+    "{mesh: 2, scale: [" side "," side "," side "], translation: " place ", rotation: " turn "}"
+#define POINT(place) "{translation: " place ", extensions: {KHR_lights_punctual: {light: 0}}}"
 
 static const struct row {
     const char *what, *nodes, *emission, *strength, *intensity;
@@ -59,7 +53,7 @@ static const struct row {
      NULL, false},
     {"a candle in a room", ROOM "," SQUARE("0.014", "[0, 0, -1]", AHEAD), "1", "100", NULL, false},
     {"a screen in a room", ROOM "," SQUARE("0.5", "[0, 0, -2.4]", AHEAD), "0.5", "1", NULL, false},
-    {"a box that emits all over", "{\"mesh\": 3}", "0.2", "1", NULL, false},
+    {"a box that emits all over", "{mesh: 3}", "0.2", "1", NULL, false},
     {"a point without power", CUBE "," POINT("[0, 3, 3]"), "0", "1", "0", true},
     {"a faint point", CUBE "," POINT("[0, 3, 3]"), "0", "1", "1e-6", false},
     {"a faint point and a faint LED",
@@ -82,23 +76,17 @@ static const struct row {
 static const char *write_row(const struct row *row) {
     struct cube_bytes cube = make_cube();
     char materials[512];
-    snprintf(
-        materials, sizeof materials,
-        "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}, {\"emissiveFactor\": [%s, %s, %s],"
-        " \"extensions\": {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": %s}}}]",
-        row->emission, row->emission, row->emission, row->strength);
+    snprintf(materials, sizeof materials,
+             "[{pbrMetallicRoughness: {metallicFactor: 0}}, {emissiveFactor: [%s, %s, %s], "
+             "extensions: {KHR_materials_emissive_strength: {emissiveStrength: %s}}}]",
+             row->emission, row->emission, row->emission, row->strength);
     const char *nodes = form("[%s]", row->nodes);
     const char *more =
-        form("\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\","
-             " \"intensity\": %s}]}},",
+        form("extensions: {KHR_lights_punctual: {lights: [{type: point, intensity: %s}]}},",
              row->intensity ? row->intensity : "1");
-    return write_parts("row.glb", &(struct gltf_parts){.accessors = ACCESSORS,
-                                                       .materials = materials,
-                                                       .meshes = MESHES,
-                                                       .nodes = nodes,
-                                                       .more = more,
-                                                       .extra = &cube,
-                                                       .extra_size = sizeof cube});
+    return write_parts("row.glb",
+                       &PARTS(.accessors = ACCESSORS, .materials = materials, .meshes = MESHES,
+                              .nodes = nodes, .more = more, EXTRA(cube)));
 }
 
 /* How many lights there are that the file does not have. */
@@ -122,13 +110,12 @@ TEST(lamps) {
 TEST(far_and_large) {
     static const struct row large[] = {
         {"a LED of 20 m on a box of 200 m, far out",
-         "{\"mesh\": 0, \"scale\": [100, 100, 100], \"translation\": [1e6, 0, 0]},"
-         "{\"mesh\": 2, \"scale\": [20, 20, 20], \"translation\": [1e6, 101, 0],"
-         " \"rotation\": " UP "}",
+         "{mesh: 0, scale: [100, 100, 100], translation: [1e6, 0, 0]},{mesh: 2, scale: [20, 20, "
+         "20], translation: [1e6, 101, 0], rotation: " UP "}",
          "0.05", "1", NULL, true},
         {"a ceiling of a hangar",
-         "{\"mesh\": 1, \"scale\": [250, 150, 250]}," SQUARE("200", "[-100, 140, -100]", DOWN),
-         "0.05", "1", NULL, false}};
+         "{mesh: 1, scale: [250, 150, 250]}," SQUARE("200", "[-100, 140, -100]", DOWN), "0.05", "1",
+         NULL, false}};
     for (size_t i = 0; i < sizeof large / sizeof *large; i++) {
         OWNED(scene) scene;
         OWNED(geometry) geometry;
@@ -148,7 +135,7 @@ TEST(notes) {
 
 /* Metals that mirror nothing but the dark are black by lights without a size. */
 TEST(mirrors) {
-#define METAL(roughness) "\"pbrMetallicRoughness\": {\"roughnessFactor\": " roughness "}"
+#define METAL(roughness) "pbrMetallicRoughness: {roughnessFactor: " roughness "}"
     static const struct {
         const char *what, *material, *nodes, *options;
         bool is_noted;
@@ -156,13 +143,12 @@ TEST(mirrors) {
         {"a mirror", METAL("0"), CUBE, "", true},
         {"a polished metal", METAL("0.15"), CUBE, "", true},
         {"glossiness",
-         "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"diffuseFactor\":"
-         " [0, 0, 0, 1], \"specularFactor\": [0.9, 0.8, 0.7], \"glossinessFactor\": 0.95}}",
+         "extensions: {KHR_materials_pbrSpecularGlossiness: {diffuseFactor: [0, 0, 0, 1], "
+         "specularFactor: [0.9, 0.8, 0.7], glossinessFactor: 0.95}}",
          CUBE, "", true},
         {"a brushed metal", METAL("0.3"), CUBE, "", false},
         {"gloss of what is no metal",
-         "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0}", CUBE, "",
-         false},
+         "pbrMetallicRoughness: {metallicFactor: 0, roughnessFactor: 0}", CUBE, "", false},
         {"walls that mirror walls", METAL("0"), ROOM, "", false},
         {"a light of the user's", METAL("0"), CUBE, "--light '+point position=0,3,3'", false},
     };
@@ -171,12 +157,8 @@ TEST(mirrors) {
         const char *materials = form("[{%s}, {}]", cases[i].material);
         const char *nodes = form("[%s]", cases[i].nodes);
         const char *path =
-            write_parts("metal.glb", &(struct gltf_parts){.accessors = ACCESSORS,
-                                                          .materials = materials,
-                                                          .meshes = MESHES,
-                                                          .nodes = nodes,
-                                                          .extra = &cube,
-                                                          .extra_size = sizeof cube});
+            write_parts("metal.glb", &PARTS(.accessors = ACCESSORS, .materials = materials,
+                                            .meshes = MESHES, .nodes = nodes, EXTRA(cube)));
         assert_int_equal(run_program("reference %s -o %s --size 8x8 --spp 1 %s", path,
                                      scratch("metal.exr"), cases[i].options),
                          0);
@@ -248,21 +230,15 @@ TEST(emission_map) {
     for (int i = 0; i < 2; i++) {
         OWNED(scene) scene;
         OWNED(geometry) geometry;
-        const char *more = form("\"images\": [{\"uri\": \"data:image/png;base64,%s\"}],"
-                                "\"textures\": [{\"source\": 0}],",
-                                maps[i]);
+        const char *more =
+            form("images: [{uri: 'data:image/png;base64,%s'}],textures: [{source: 0}],", maps[i]);
         const char *path = write_parts(
             "map.glb",
-            &(struct gltf_parts){
-                .accessors = PARTS_TEXTURED,
-                .materials =
-                    "[{\"emissiveTexture\": {\"index\": 0}, \"emissiveFactor\": [1, 1, 1]}]",
-                .meshes =
-                    "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2},"
-                    " \"indices\": 1, \"material\": 0}]}]",
-                .more = more,
-                .extra = uv,
-                .extra_size = sizeof uv});
+            &PARTS(.accessors = PARTS_TEXTURED,
+                   .materials = "[{emissiveTexture: {index: 0}, emissiveFactor: [1, 1, 1]}]",
+                   .meshes = "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_0: 2}, indices: "
+                             "1, material: 0}]}]",
+                   .more = more, EXTRA(uv)));
         check_ok("open", scene_open(&scene, &geometry, path, NULL));
         check_near("lights added", count_added(&scene), i ? 0 : 2, 0);
     }

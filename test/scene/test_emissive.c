@@ -254,9 +254,8 @@ static double power_of_triangles(const struct emissive_triangles *list) {
 
 /* The quad's first triangle. */
 #define ONE_TRIANGLE                                                                               \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "            \
-    "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 3, "              \
-    "\"type\": \"SCALAR\"}]"
+    "[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, {bufferView: 0, byteOffset: "    \
+    "48, componentType: 5123, count: 3, type: SCALAR}]"
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
@@ -281,14 +280,12 @@ TEST(many) {
     int own = 0;
     for (int i = 0; i < PANES; i++)
         sprintf(nodes + strlen(nodes),
-                "%s{\"name\": \"%d\", \"mesh\": 0, \"scale\": [%d, 1, 1], \"translation\":"
-                " [0, 0, %d]}",
-                i ? "," : "", i, 1 + (i * 7) % PANES, i);
+                "%s{name: '%d', mesh: 0, scale: [%d, 1, 1], translation: [0, 0, %d]}", i ? "," : "",
+                i, 1 + (i * 7) % PANES, i);
     strcat(nodes, "]");
     check_ok("load",
              load_parts(&scene, "many.glb",
-                        &(struct gltf_parts){.materials = "[{\"emissiveFactor\": [1, 1, 1]}]",
-                                             .nodes = nodes}));
+                        &PARTS(.materials = "[{emissiveFactor: [1, 1, 1]}]", .nodes = nodes)));
     assert_int_equal(emitter_node_count(&scene), EMISSIVE_LIGHTS_MAX);
     assert_int_equal(scene.surface_count, PANES);
     check_near("power", power_of_lights(&scene), 3. * PANES * (PANES + 1) / 2, .05);
@@ -343,20 +340,19 @@ TEST(listed_triangles) {
         double power;  /* over pi, the sum of RGB, W */
         double facing; /* of the first triangle, along z */
     } rows[] = {
-        {"one side", "", "\"scale\": [2, 3, 1]", 1, 3 * 3, 1},
-        {"two sides", ", \"doubleSided\": true", "\"scale\": [2, 3, 1]", 2, 2 * 3 * 3, 1},
-        {"mirrored", "", "\"scale\": [-1, 1, 1]", 1, 1.5, 1},
-        {"turned", "", "\"rotation\": [0, 1, 0, 0], \"scale\": [1, 4, 1]", 1, 6, -1},
+        {"one side", "", "scale: [2, 3, 1]", 1, 3 * 3, 1},
+        {"two sides", ", doubleSided: true", "scale: [2, 3, 1]", 2, 2 * 3 * 3, 1},
+        {"mirrored", "", "scale: [-1, 1, 1]", 1, 1.5, 1},
+        {"turned", "", "rotation: [0, 1, 0, 0], scale: [1, 4, 1]", 1, 6, -1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char material[128], node[128];
         OWNED(scene) scene;
-        sprintf(material, "[{\"emissiveFactor\": [1, 1, 1]%s}]", rows[i].material);
-        sprintf(node, "[{\"mesh\": 0, %s}]", rows[i].node);
-        check_ok(rows[i].what,
-                 load_parts(&scene, "listed.glb",
-                            &(struct gltf_parts){
-                                .accessors = ONE_TRIANGLE, .materials = material, .nodes = node}));
+        sprintf(material, "[{emissiveFactor: [1, 1, 1]%s}]", rows[i].material);
+        sprintf(node, "[{mesh: 0, %s}]", rows[i].node);
+        check_ok(rows[i].what, load_parts(&scene, "listed.glb",
+                                          &PARTS(.accessors = ONE_TRIANGLE, .materials = material,
+                                                 .nodes = node)));
         struct emissive_triangles list = list_triangles(&scene);
         assert_int_equal(list.count, rows[i].triangles);
         check_near("power", power_of_triangles(&list), rows[i].power, 1e-5);
@@ -369,11 +365,11 @@ TEST(listed_triangles) {
 /* A triangle, a mirrored one, and one of two sides, below nodes that turn and stretch them. */
 TEST(shaped) {
     OWNED(scene) scene;
-    const struct gltf_parts parts = {
-        .accessors = ONE_TRIANGLE,
-        .materials = "[{\"emissiveFactor\": [1, 1, 1], \"name\": \"glow\"}]",
-        .nodes = "[{\"mesh\": 0, \"name\": \"flag\", \"scale\": [2, 3, 1], \"translation\":"
-                 " [0, 0, 5]}, {\"mesh\": 0, \"scale\": [-1, 1, 1]}]"};
+    const struct gltf_parts parts = {.accessors = ONE_TRIANGLE,
+                                     .materials = "[{emissiveFactor: [1, 1, 1], name: glow}]",
+                                     .nodes =
+                                         "[{mesh: 0, name: flag, scale: [2, 3, 1], translation: "
+                                         "[0, 0, 5]}, {mesh: 0, scale: [-1, 1, 1]}]"};
     check_ok("load", load_parts(&scene, "shaped.glb", &parts));
     int count = emitter_node_count(&scene);
     check_near("lights", count, 2, 0);
@@ -391,54 +387,43 @@ TEST(shaped) {
 TEST(which_shine) {
     static unsigned char half[4 * 4 * 4];
     static const float alphas[4][4] = {{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}};
-#define GLOW "\"emissiveFactor\": [1, 1, 1]"
+#define GLOW "emissiveFactor: [1, 1, 1]"
 #define ALPHA                                                                                      \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "            \
-    "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\": "    \
-    "\"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 4, " \
-    "\"type\": \"VEC4\"}]"
+    "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 4, type: VEC4}]"
     static const struct {
         const char *what;
         int lights;
         struct gltf_parts parts;
     } rows[] = {
         {"one side", 1, {.materials = "[{" GLOW "}]"}},
-        {"both sides", 2, {.materials = "[{" GLOW ", \"doubleSided\": true}]"}},
-        {"dark", 0, {.materials = "[{\"emissiveFactor\": [0, 0, 0]}]"}},
+        {"both sides", 2, {.materials = "[{" GLOW ", doubleSided: true}]"}},
+        {"dark", 0, {.materials = "[{emissiveFactor: [0, 0, 0]}]"}},
         {"it deforms",
          0,
          {.materials = "[{" GLOW "}]",
-          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, "
-                    "\"material\": 0,"
-                    " \"targets\": [{\"POSITION\": 0}]}]}]"}},
+          .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0, targets: "
+                    "[{POSITION: 0}]}]}]"}},
         {"without area",
          0,
-         {.materials = "[{" GLOW "}]", .nodes = "[{\"mesh\": 0, \"scale\": [0, 1, 1]}]"}},
-        {"flat node",
-         1,
-         {.materials = "[{" GLOW "}]", .nodes = "[{\"mesh\": 0, \"scale\": [1, 1, 0]}]"}},
+         {.materials = "[{" GLOW "}]", .nodes = "[{mesh: 0, scale: [0, 1, 1]}]"}},
+        {"flat node", 1, {.materials = "[{" GLOW "}]", .nodes = "[{mesh: 0, scale: [1, 1, 0]}]"}},
         {"a hole all over",
          0,
-         {.materials = "[{" GLOW ", \"alphaMode\": \"MASK\"}]",
+         {.materials = "[{" GLOW ", alphaMode: MASK}]",
           .accessors = ALPHA,
-          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"COLOR_0\": 2}, "
-                    "\"indices\": 1, \"material\": 0}]}]",
-          .extra = alphas,
-          .extra_size = sizeof alphas}},
-        {"masked, without holes",
-         -1 /* some */,
-         {.materials = "[{" GLOW ", \"alphaMode\": \"MASK\"}]"}},
+          .meshes =
+              "[{primitives: [{attributes: {POSITION: 0, COLOR_0: 2}, indices: 1, material: 0}]}]",
+          EXTRA(alphas)}},
+        {"masked, without holes", -1 /* some */, {.materials = "[{" GLOW ", alphaMode: MASK}]"}},
         {"a picture of light, half of it",
          -1, /* some */
-         {.materials = "[{" GLOW ", \"emissiveTexture\": {\"index\": 0}, \"doubleSided\": true}]",
+         {.materials = "[{" GLOW ", emissiveTexture: {index: 0}, doubleSided: true}]",
           .accessors =
-              "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "
-              "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, "
-              "\"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 0, \"componentType\": "
-              "5126, \"count\": 4, \"type\": \"VEC2\"}]",
-          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2}, "
-                    "\"indices\": 1, \"material\": 0}]}]",
-          .more = "\"images\": [{\"uri\": \"glow.png\"}], \"textures\": [{\"source\": 0}],"}},
+              "[" PARTS_QUAD
+              ", {bufferView: 0, byteOffset: 0, componentType: 5126, count: 4, type: VEC2}]",
+          .meshes = "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_0: 2}, indices: 1, "
+                    "material: 0}]}]",
+          .more = "images: [{uri: 'glow.png'}], textures: [{source: 0}],"}},
     };
     for (size_t i = 0; i < sizeof half; i++)
         half[i] = i % 4 == 3 || i < sizeof half / 2 ? 255 : 0;
@@ -461,14 +446,12 @@ TEST(glow) {
     struct stage stage;
     struct image traced;
     const struct gltf_parts parts = {
-        .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}, "
-                     "\"emissiveFactor\": [1, 0.5, 0.25], \"extensions\": "
-                     "{\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 100}}}]",
-        .more = "\"extensionsUsed\": [\"KHR_materials_emissive_strength\", "
-                "\"KHR_lights_punctual\"], \"extensions\": {\"KHR_lights_punctual\": "
-                "{\"lights\": [{\"type\": \"point\"}]}},",
-        .nodes = "[{\"mesh\": 0}, {\"name\": \"point\", \"translation\": [0, 0, 9], "
-                 "\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]"};
+        .materials = "[{pbrMetallicRoughness: {metallicFactor: 0}, emissiveFactor: [1, 0.5, 0.25], "
+                     "extensions: {KHR_materials_emissive_strength: {emissiveStrength: 100}}}]",
+        .more = "extensionsUsed: [KHR_materials_emissive_strength, KHR_lights_punctual], "
+                "extensions: {KHR_lights_punctual: {lights: [{type: point}]}},",
+        .nodes = "[{mesh: 0}, {name: point, translation: [0, 0, 9], extensions: "
+                 "{KHR_lights_punctual: {light: 0}}}]"};
     for (int on = 0; on < 2; on++) {
         const struct stage_desc desc = {
             .path = write_parts("scene.glb", &parts),

@@ -249,11 +249,10 @@ static void open_with(struct scene *scene, const struct gltf_parts *parts,
 
 /* A name in the file, one in its place, and changes of it. */
 TEST(scenes) {
-    const struct gltf_parts named = {
-        .asset = "{\"version\": \"2.0\", \"extras\": {\"environment\": \"sky.hdr\"}}"};
+    const struct gltf_parts named = {.asset = "{version: '2.0', extras: {environment: 'sky.hdr'}}"};
     const struct gltf_parts strong = {
-        .more = "\"scene\": 0, \"scenes\": [{\"nodes\": [0], \"extras\": {\"environment\":"
-                " \"sky.hdr\", \"environmentTurn\": 90, \"environmentStrength\": 3}}],"};
+        .more = "scene: 0, scenes: [{nodes: [0], extras: {environment: 'sky.hdr', environmentTurn: "
+                "90, environmentStrength: 3}}],"};
     const char *other = write_numbered("other.exr", 4, 2);
     OWNED(scene) scene;
     write_numbered("sky.hdr", 16, 8);
@@ -281,24 +280,23 @@ static void check_scene_refused(const struct gltf_parts *parts, const struct env
 
 TEST(scene_refusals) {
     static const char *const rows[][2] = {
-        {"{\"environment\": \"../../sky.hdr\"}",
+        {"{environment: '../../sky.hdr'}",
          "extras: environment: '../../sky.hdr' leads out of the folder "},
-        {"{\"environment\": \"nowhere.hdr\"}", "extras: environment: cannot open"},
-        {"{\"environment\": 3}", "extras: environment: it is no file's name"},
-        {"{\"environment\": \"sky.hdr\", \"environmentTurn\": \"east\"}",
+        {"{environment: 'nowhere.hdr'}", "extras: environment: cannot open"},
+        {"{environment: 3}", "extras: environment: it is no file's name"},
+        {"{environment: 'sky.hdr', environmentTurn: east}",
          "extras: environmentTurn: it is no number"},
-        {"{\"environment\": \"sky.hdr\", \"environmentStrength\": -1}",
+        {"{environment: 'sky.hdr', environmentStrength: -1}",
          "extras: environmentStrength: it is not above 0"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const char *asset = form("{\"version\": \"2.0\", \"extras\": %s}", rows[i][0]);
-        check_scene_refused(&(struct gltf_parts){.asset = asset}, &(struct environment_desc){0},
-                            rows[i][1]);
+        const char *asset = form("{version: '2.0', extras: %s}", rows[i][0]);
+        check_scene_refused(&PARTS(.asset = asset), &(struct environment_desc){0}, rows[i][1]);
     }
-    check_scene_refused(&(struct gltf_parts){0}, &(struct environment_desc){.turn = 1},
+    check_scene_refused(&PARTS(0), &(struct environment_desc){.turn = 1},
                         "there is no environment to be turned");
-    check_scene_refused(&(struct gltf_parts){0},
-                        &(struct environment_desc){.path = scratch("none.exr")}, "none.exr");
+    check_scene_refused(&PARTS(0), &(struct environment_desc){.path = scratch("none.exr")},
+                        "none.exr");
 }
 
 static void check_lights(const struct scene *scene, const char *text, int count, bool sky) {
@@ -338,7 +336,7 @@ TEST(background) {
     OWNED(stage) stage;
     OWNED(image) traced;
     const struct stage_desc desc = {
-        .path = write_parts("scene.glb", &(struct gltf_parts){0}),
+        .path = write_parts("scene.glb", &PARTS(0)),
         .light = "sky",
         .camera = "eye=.5,.5,3 forward=.1,.2,-1 fov=1.5",
         .environment = {.path = write_numbered("sky.exr", 16, 8), .turn = 20, .strength = .5F},

@@ -17,32 +17,24 @@ struct cube_and_walk {
 };
 
 #define CUBE(indices)                                                                              \
-    "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": " indices                  \
-    ", \"material\": 0}]}"
+    "{primitives: [{attributes: {POSITION: 0}, indices: " indices ", material: 0}]}"
 #define BOX(x, y, z, sx, sy, sz)                                                                   \
-    "{\"mesh\": 0, \"translation\": [" #x "," #y "," #z "], \"scale\": [" #sx "," #sy "," #sz "]}"
+    "{mesh: 0, translation: [" #x "," #y "," #z "], scale: [" #sx "," #sy "," #sz "]}"
 #define HOLLOW(x, y, z, sx, sy, sz)                                                                \
-    "{\"mesh\": 1, \"translation\": [" #x "," #y "," #z "], \"scale\": [" #sx "," #sy "," #sz "]}"
+    "{mesh: 1, translation: [" #x "," #y "," #z "], scale: [" #sx "," #sy "," #sz "]}"
 
 static void open_cubes(struct stage *stage, const char *name, const char *nodes, const char *more) {
     struct cube_and_walk bytes = {
         .cube = make_cube(), .times = {0, 4}, .places = {{-4, 0, 0}, {4, 0, 0}}};
     *stage = open_stage(write_parts(
-        name,
-        &(struct gltf_parts){
-            .accessors =
-                "[" CUBE_ACCESSORS ","
-                " {\"bufferView\": 0, \"byteOffset\": 232, \"componentType\": 5126, \"count\":"
-                " 2, \"type\": \"SCALAR\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 240, \"componentType\": 5126, \"count\":"
-                " 2, \"type\": \"VEC3\"}]",
-            .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0,"
-                         " \"baseColorFactor\": [0.7, 0.6, 0.5, 1]}}]",
-            .meshes = "[" CUBE("1") "," CUBE("2") "]",
-            .nodes = nodes,
-            .more = more,
-            .extra = &bytes,
-            .extra_size = sizeof bytes}));
+        name, &PARTS(.accessors = "[" CUBE_ACCESSORS
+                                  ", {bufferView: 0, byteOffset: 232, componentType: 5126, count: "
+                                  "2, type: SCALAR}, {bufferView: 0, byteOffset: 240, "
+                                  "componentType: 5126, count: 2, type: VEC3}]",
+                     .materials = "[{pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: "
+                                  "[0.7, 0.6, 0.5, 1]}}]",
+                     .meshes = "[" CUBE("1") "," CUBE("2") "]", .nodes = nodes, .more = more,
+                     EXTRA(bytes))));
 }
 
 /* The picture, kept for the eye too. What is covered is neither black nor burnt out. */
@@ -100,13 +92,12 @@ static const char figure[] =
                                    0.07) "," BOX(-0.13, 0.4, 0, 0.1, 0.4,
                                                  0.1) "," BOX(0.13, 0.4, 0, 0.1, 0.4, 0.1) "]";
 
-static const char walker[] = "[{\"children\": [1, 2, 3]}," BOX(0, 1.2, 0, 0.25, 0.4, 0.15) "," BOX(
+static const char walker[] = "[{children: [1, 2, 3]}," BOX(0, 1.2, 0, 0.25, 0.4, 0.15) "," BOX(
     -0.13, 0.4, 0, 0.1, 0.4, 0.1) "," BOX(0.13, 0.4, 0, 0.1, 0.4, 0.1) "," BOX(0, -0.1, 0, 6, 0.1,
                                                                                2) "]";
 
-static const char walk[] = "\"animations\": [{\"samplers\": [{\"input\": 3, \"output\": 4}], "
-                           "\"channels\": [{\"sampler\": 0,"
-                           " \"target\": {\"node\": 0, \"path\": \"translation\"}}]}],";
+static const char walk[] = "animations: [{samplers: [{input: 3, output: 4}], channels: [{sampler: "
+                           "0, target: {node: 0, path: translation}}]}],";
 
 /* A thing alone is seen from outside, all of it: a block on a slab; a millimetre far out; a figure
  * whose body is hollow, with walls that face its middle; one that walks, wherever it goes. */
@@ -161,14 +152,12 @@ TEST(rooms) {
  * node has. */
 TEST(camera_of_file) {
     OWNED(stage) stage;
-    open_cubes(&stage, "camera.glb",
-               "[" BOX(0, 1, 0, 0.5, 1, 0.5) "," BOX(
-                   0, -0.1, 0, 2, 0.1,
-                   2) ","
-                      "{\"camera\": 0, \"translation\": [0, 1.5, -6], \"rotation\": [0, 1, 0, 0],"
-                      " \"scale\": [3, 3, 3]}]",
-               "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 0.7,"
-               " \"znear\": 1}}],");
+    open_cubes(
+        &stage, "camera.glb",
+        "[" BOX(0, 1, 0, 0.5, 1, 0.5) "," BOX(
+            0, -0.1, 0, 2, 0.1,
+            2) ",{camera: 0, translation: [0, 1.5, -6], rotation: [0, 1, 0, 0], scale: [3, 3, 3]}]",
+        "cameras: [{type: perspective, perspective: {yfov: 0.7, znear: 1}}],");
     assert_int_equal(stage.emitters.count, 2);
     const struct emitter *spot = &stage.emitters.items[0];
     check_near("the camera is the file's", stage.camera.eye[2], -6, 1e-5);

@@ -28,7 +28,7 @@ static void check_values(const char *what, const float *value, int n, const doub
 }
 
 TEST(quad) {
-    OWNED(scene) scene = load("quad.glb", (struct gltf_parts){0});
+    OWNED(scene) scene = load("quad.glb", PARTS(0));
     const struct primitive *quad = first_primitive(&scene);
     assert_int_equal(quad->index_count, 6);
     assert_string_equal(scene.meshes[0].name, "quad");
@@ -62,17 +62,14 @@ TEST(component_types) {
         for (int k = 0; k < 16; k++)
             memcpy(extra + (size_t)k * size, rows[i].bytes, size);
         const char *accessors =
-            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                 " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 4,"
-                 " \"normalized\": %s, \"type\": \"VEC4\"}]",
+            form("[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, {bufferView: 0, "
+                 "byteOffset: 64, componentType: %d, count: 4, normalized: %s, type: VEC4}]",
                  rows[i].type, rows[i].normalized ? "true" : "false");
         OWNED(scene) scene = load(
             "component.glb",
-            (struct gltf_parts){.accessors = accessors,
-                                .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0,"
-                                          " \"COLOR_0\": 1}, \"mode\": 5}]}]",
-                                .extra = extra,
-                                .extra_size = sizeof extra});
+            PARTS(.accessors = accessors,
+                  .meshes = "[{primitives: [{attributes: {POSITION: 0, COLOR_0: 1}, mode: 5}]}]",
+                  EXTRA(extra)));
         const char *what = form("component type %d", rows[i].type);
         check_near(what, first_primitive(&scene)->color[0][3], rows[i].expected, 1e-7);
     }
@@ -86,13 +83,11 @@ TEST(index_types) {
     static const int types[] = {5121, 5123, 5125};
     for (int i = 0; i < 3; i++) {
         const char *accessors =
-            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                 " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 3,"
-                 " \"type\": \"SCALAR\"}]",
+            form("[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, {bufferView: 0, "
+                 "byteOffset: 64, componentType: %d, count: 3, type: SCALAR}]",
                  types[i]);
         OWNED(scene) scene = load(
-            "index.glb",
-            (struct gltf_parts){.accessors = accessors, .extra = extras[i], .extra_size = 3u << i});
+            "index.glb", PARTS(.accessors = accessors, .extra = extras[i], .extra_size = 3u << i));
         const struct primitive *triangle = first_primitive(&scene);
         assert_int_equal(triangle->index_count, 3);
         check_values("corner", triangle->position[triangle->indices[2]], 3, (double[]){1, 1, 0}, 0);
@@ -108,15 +103,14 @@ static void check_triangle(const struct primitive *primitive, int triangle, cons
 }
 
 TEST(strip_and_fan) {
-    struct scene scene =
-        load("strip.glb", (struct gltf_parts){.meshes = "[{\"primitives\": [{\"attributes\":"
-                                                        " {\"POSITION\": 0}, \"mode\": 5}]}]"});
+    struct scene scene = load(
+        "strip.glb", PARTS(.meshes = "[{primitives: [{attributes: {POSITION: 0}, mode: 5}]}]"));
     assert_int_equal(first_primitive(&scene)->index_count, 6);
     check_triangle(first_primitive(&scene), 0, (int[]){0, 1, 2});
     check_triangle(first_primitive(&scene), 1, (int[]){1, 3, 2});
     scene_free(&scene);
-    scene = load("fan.glb", (struct gltf_parts){.meshes = "[{\"primitives\": [{\"attributes\":"
-                                                          " {\"POSITION\": 0}, \"mode\": 6}]}]"});
+    scene =
+        load("fan.glb", PARTS(.meshes = "[{primitives: [{attributes: {POSITION: 0}, mode: 6}]}]"));
     assert_int_equal(first_primitive(&scene)->index_count, 6);
     check_triangle(first_primitive(&scene), 0, (int[]){1, 2, 0});
     check_triangle(first_primitive(&scene), 1, (int[]){2, 3, 0});
@@ -126,10 +120,8 @@ TEST(strip_and_fan) {
 /* Lines beside triangles are left out; a mesh of lines alone is empty. */
 TEST(lines_are_ignored) {
     struct scene scene =
-        load("lines.glb",
-             (struct gltf_parts){
-                 .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"mode\":"
-                           " 1}, {\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}]"});
+        load("lines.glb", PARTS(.meshes = "[{primitives: [{attributes: {POSITION: 0}, mode: 1}, "
+                                          "{attributes: {POSITION: 0}, indices: 1}]}]"));
     assert_int_equal(scene.meshes[0].primitive_count, 1);
     assert_int_equal(first_primitive(&scene)->index_count, 6);
     scene_free(&scene);
@@ -143,23 +135,16 @@ TEST(stride_and_sparse) {
         float value[3];
     } extra = {
         .normal = {{0, 0, 2}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, .index = 2, .value = {3, 0, 4}};
-    OWNED(scene) scene = load(
-        "sparse.glb",
-        (struct gltf_parts){
-            .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
-                     " \"byteLength\": 64, \"byteStride\": 16}]",
-            .accessors =
-                "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-                " \"type\": \"SCALAR\"},"
-                " {\"bufferView\": 1, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\","
-                " \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0, \"byteOffset\": 128,"
-                " \"componentType\": 5123}, \"values\": {\"bufferView\": 0, \"byteOffset\": "
-                "132}}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
-                      " \"indices\": 1}]}]",
-            .extra = &extra,
-            .extra_size = sizeof extra});
+    OWNED(scene) scene =
+        load("sparse.glb",
+             PARTS(.views = "[{buffer: 0, byteLength: 320}, {buffer: 0, byteOffset: 64, "
+                            "byteLength: 64, byteStride: 16}]",
+                   .accessors = "[" PARTS_QUAD
+                                ", {bufferView: 1, componentType: 5126, count: 4, type: VEC3, "
+                                "sparse: {count: 1, indices: {bufferView: 0, byteOffset: 128, "
+                                "componentType: 5123}, values: {bufferView: 0, byteOffset: 132}}}]",
+                   .meshes = "[{primitives: [{attributes: {POSITION: 0, NORMAL: 2}, indices: 1}]}]",
+                   EXTRA(extra)));
     const struct primitive *quad = first_primitive(&scene);
     assert_int_equal(quad->vertex_count, 4);
     check_values("normal", quad->normal[0], 3, (double[]){0, 0, 1}, 1e-7);
@@ -171,15 +156,11 @@ TEST(hopeless_normals) {
     static const float normals[4][3] = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}, {0, 1e-20F, 0}};
     static const struct gltf_parts parts[] = {
         {.accessors = PARTS_OWN_NORMALS,
-         .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
-                   " \"indices\": 1}]}]",
-         .extra = normals,
-         .extra_size = sizeof normals},
+         .meshes = "[{primitives: [{attributes: {POSITION: 0, NORMAL: 2}, indices: 1}]}]",
+         EXTRA(normals)},
         {.accessors =
-             "[{\"bufferView\": 0, \"byteOffset\": 96, \"componentType\": 5126, \"count\": 4,"
-             " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": "
-             "5123,"
-             " \"count\": 6, \"type\": \"SCALAR\"}]"},
+             "[{bufferView: 0, byteOffset: 96, componentType: 5126, count: 4, type: VEC3}, "
+             "{bufferView: 0, byteOffset: 48, componentType: 5123, count: 6, type: SCALAR}]"},
     };
     for (int i = 0; i < 2; i++) {
         OWNED(scene) scene = load("normals.glb", parts[i]);
@@ -209,22 +190,19 @@ TEST(texture) {
     make_png(png, sizeof png);
     OWNED(scene) scene = load(
         "textured.glb",
-        (struct gltf_parts){
-            .accessors = PARTS_TEXTURED,
-            .more = "\"images\": [{\"uri\": \"texture%2Epng\"}], \"samplers\": [{\"wrapS\": 33071,"
-                    " \"wrapT\": 33648, \"magFilter\": 9728}], \"textures\": [{\"source\": 0,"
-                    " \"sampler\": 0}], \"extensionsRequired\": [\"KHR_texture_transform\"],",
-            .materials =
-                "[{\"alphaMode\": \"MASK\", \"alphaCutoff\": 0.25, \"doubleSided\": true,"
-                " \"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.25, 1, 0.75],"
-                " \"baseColorTexture\": {\"index\": 0, \"texCoord\": 7, \"extensions\":"
-                " {\"KHR_texture_transform\": {\"offset\": [10, 20], \"rotation\": 0.5235987756,"
-                " \"scale\": [2, 4], \"texCoord\": 1}}}}},"
-                " {\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_1\": 2},"
-                      " \"indices\": 1, \"material\": 0}]}]",
-            .extra = uvs,
-            .extra_size = sizeof uvs});
+        PARTS(.accessors = PARTS_TEXTURED,
+              .more = "images: [{uri: 'texture%2Epng'}], samplers: [{wrapS: 33071, wrapT: 33648, "
+                      "magFilter: 9728}], textures: [{source: 0, sampler: 0}], extensionsRequired: "
+                      "[KHR_texture_transform],",
+              .materials =
+                  "[{alphaMode: MASK, alphaCutoff: 0.25, doubleSided: true, pbrMetallicRoughness: "
+                  "{baseColorFactor: [0.5, 0.25, 1, 0.75], baseColorTexture: {index: 0, texCoord: "
+                  "7, extensions: {KHR_texture_transform: {offset: [10, 20], rotation: "
+                  "0.5235987756, scale: [2, 4], texCoord: 1}}}}}, {pbrMetallicRoughness: "
+                  "{baseColorTexture: {index: 0}}}]",
+              .meshes = "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_1: 2}, indices: 1, "
+                        "material: 0}]}]",
+              EXTRA(uvs)));
     const struct material *material = &scene.materials[0];
     check_values("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
     assert_true(material->alpha_mask && material->double_sided &&
@@ -250,21 +228,15 @@ TEST(embedded_texture) {
     unsigned char extra[256] = {0};
     size_t size = make_png(extra + 33, sizeof extra - 33);
     const char *views =
-        form("[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 97,"
-             " \"byteLength\": %zu}]",
-             size);
+        form("[{buffer: 0, byteLength: 320}, {buffer: 0, byteOffset: 97, byteLength: %zu}]", size);
     OWNED(scene) scene = load(
         "embedded.glb",
-        (struct gltf_parts){
-            .views = views,
-            .accessors = PARTS_TEXTURED,
-            .more = "\"images\": [{\"bufferView\": 1, \"mimeType\": \"image/png\"}],"
-                    " \"textures\": [{\"source\": 0}],",
-            .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2},"
-                      " \"indices\": 1, \"material\": 0}]}]",
-            .extra = extra,
-            .extra_size = sizeof extra});
+        PARTS(.views = views, .accessors = PARTS_TEXTURED,
+              .more = "images: [{bufferView: 1, mimeType: 'image/png'}], textures: [{source: 0}],",
+              .materials = "[{pbrMetallicRoughness: {baseColorTexture: {index: 0}}}]",
+              .meshes = "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_0: 2}, indices: 1, "
+                        "material: 0}]}]",
+              EXTRA(extra)));
     assert_int_equal(scene.textures[0].bitmap.width, 2);
     assert_int_equal(scene.textures[0].wrap_u, TEXTURE_WRAP_REPEAT);
     assert_false(scene.textures[0].nearest);
@@ -282,15 +254,12 @@ TEST(webp) {
         0xd3, 0x9b, 0xc4, 0x54, 0xf2, 0xbf, 0xfe, 0x26, 0x40, 0,    0};
     OWNED(scene) scene = load(
         "webp.glb",
-        (struct gltf_parts){
-            .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
-                     " \"byteLength\": 76}]",
-            .more = "\"extensionsRequired\": [\"EXT_texture_webp\"], \"images\": [{\"bufferView\":"
-                    " 1, \"mimeType\": \"image/webp\"}], \"textures\": [{\"extensions\":"
-                    " {\"EXT_texture_webp\": {\"source\": 0}}}],",
-            .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-            .extra = webp,
-            .extra_size = sizeof webp});
+        PARTS(.views =
+                  "[{buffer: 0, byteLength: 320}, {buffer: 0, byteOffset: 64, byteLength: 76}]",
+              .more = "extensionsRequired: [EXT_texture_webp], images: [{bufferView: 1, mimeType: "
+                      "'image/webp'}], textures: [{extensions: {EXT_texture_webp: {source: 0}}}],",
+              .materials = "[{pbrMetallicRoughness: {baseColorTexture: {index: 0}}}]",
+              EXTRA(webp)));
     assert_int_equal(scene.textures[0].bitmap.width, 8);
     check_near("red", scene.textures[0].bitmap.rgba[0], 255, 4);
     check_near("green", scene.textures[0].bitmap.rgba[1], 0, 4);
@@ -303,26 +272,21 @@ TEST(materials) {
     make_png(png, sizeof png);
     OWNED(scene) scene = load(
         "materials.glb",
-        (struct gltf_parts){
-            .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
-                    " \"extensionsRequired\": [\"KHR_materials_emissive_strength\"],",
-            .materials =
-                "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0.25, \"roughnessFactor\": 0.75,"
-                " \"baseColorTexture\": {\"index\": 0}, \"metallicRoughnessTexture\":"
-                " {\"index\": 0}}, \"emissiveTexture\": {\"index\": 0, \"texCoord\": 1}},"
-                " {\"emissiveFactor\": [1, 0.5, 0.25], \"emissiveTexture\": {\"index\": 0},"
-                " \"normalTexture\": {\"index\": 0, \"scale\": 0.5}, \"extensions\":"
-                " {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 20},"
-                " \"KHR_materials_ior\": {\"ior\": 2}, \"KHR_materials_specular\":"
-                " {\"specularFactor\": 0.5, \"specularColorFactor\": [0.9, 18, 0]}}}, "
-                "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}, \"extensions\": "
-                "{\"KHR_materials_transmission\": {\"transmissionFactor\": 0.75},"
-                " \"KHR_materials_ior\": {\"ior\": 1.25}, \"KHR_materials_volume\":"
-                " {\"thicknessFactor\": 0.1, \"attenuationDistance\": 2,"
-                " \"attenuationColor\": [1, 0.5, 0.25]}}},"
-                " {\"extensions\": {\"KHR_materials_transmission\":"
-                " {\"transmissionFactor\": 0.5}}}, {\"extensions\": {\"KHR_materials_unlit\": "
-                "{}}}]"});
+        PARTS(.more = "images: [{uri: 'texture.png'}], textures: [{source: 0}], "
+                      "extensionsRequired: [KHR_materials_emissive_strength],",
+              .materials =
+                  "[{pbrMetallicRoughness: {metallicFactor: 0.25, roughnessFactor: 0.75, "
+                  "baseColorTexture: {index: 0}, metallicRoughnessTexture: {index: 0}}, "
+                  "emissiveTexture: {index: 0, texCoord: 1}}, {emissiveFactor: [1, 0.5, 0.25], "
+                  "emissiveTexture: {index: 0}, normalTexture: {index: 0, scale: 0.5}, extensions: "
+                  "{KHR_materials_emissive_strength: {emissiveStrength: 20}, KHR_materials_ior: "
+                  "{ior: 2}, KHR_materials_specular: {specularFactor: 0.5, specularColorFactor: "
+                  "[0.9, 18, 0]}}}, {pbrMetallicRoughness: {metallicFactor: 0}, extensions: "
+                  "{KHR_materials_transmission: {transmissionFactor: 0.75}, KHR_materials_ior: "
+                  "{ior: 1.25}, KHR_materials_volume: {thicknessFactor: 0.1, attenuationDistance: "
+                  "2, attenuationColor: [1, 0.5, 0.25]}}}, {extensions: "
+                  "{KHR_materials_transmission: {transmissionFactor: 0.5}}}, {extensions: "
+                  "{KHR_materials_unlit: {}}}]"));
     const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
     check_near("metalness", plain->metalness, .25, 0);
     check_near("roughness", plain->roughness, .75, 0);
@@ -369,16 +333,12 @@ TEST(lacks) {
     hear_notes();
     OWNED(scene) scene = load(
         "lacks.glb",
-        (struct gltf_parts){
-            .more = "\"extensionsRequired\": [\"KHR_materials_unlit\"], \"extensionsUsed\":"
-                    " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
-                    " \"KHR_materials_clearcoat\", \"EXT_new\"],"
-                    " \"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],",
-            .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\","
-                         " \"emissiveFactor\": [1, 1, 1], \"extensions\":"
-                         " {\"KHR_materials_specular\": {\"specularTexture\": {\"index\": 0}}}},"
-                         " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
-                         " {\"index\": 0}}]"});
+        PARTS(.more = "extensionsRequired: [KHR_materials_unlit], extensionsUsed: "
+                      "[KHR_lights_punctual, KHR_materials_unlit, KHR_materials_clearcoat, "
+                      "EXT_new], images: [{uri: 'texture.png'}], textures: [{source: 0}],",
+              .materials = "[{normalTexture: {index: 0}, alphaMode: BLEND, emissiveFactor: [1, 1, "
+                           "1], extensions: {KHR_materials_specular: {specularTexture: {index: "
+                           "0}}}}, {normalTexture: {index: 0}, occlusionTexture: {index: 0}}]"));
     static const char *const each[] = {"clear coat", "EXT_new", "blending", "occlusion",
                                        "textures of specular"};
     printf("    %s", notes);
@@ -393,9 +353,7 @@ TEST(lacks) {
     assert_ptr_equal(strchr(notes, '\n'), notes + strlen(notes) - 1);
     scene_free(&scene);
     *notes = '\0';
-    scene = load(
-        "plain.glb",
-        (struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"});
+    scene = load("plain.glb", PARTS(.materials = "[{pbrMetallicRoughness: {metallicFactor: 0}}]"));
     assert_string_equal(notes, "");
     assert_true(material_is_diffuse(&scene.materials[0]) &&
                 !material_is_diffuse(&scene.materials[1]));
@@ -408,17 +366,15 @@ TEST(lacks) {
 TEST(specular_glossiness) {
     unsigned char png[4096];
     make_png(png, sizeof png);
-    OWNED(scene) scene = load(
-        "glossiness.glb",
-        (struct gltf_parts){
-            .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
-                    " \"extensionsRequired\": [\"KHR_materials_pbrSpecularGlossiness\"],",
-            .materials =
-                "[{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
-                " {\"diffuseFactor\": [0.5, 0.25, 1, 0.75], \"glossinessFactor\": 0.25,"
-                " \"specularFactor\": [0, 0.01, 0.005], \"diffuseTexture\": {\"index\": 0}}}},"
-                " {\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
-                " {\"specularGlossinessTexture\": {\"index\": 0, \"texCoord\": 1}}}}]"});
+    OWNED(scene) scene =
+        load("glossiness.glb",
+             PARTS(.more = "images: [{uri: 'texture.png'}], textures: [{source: 0}], "
+                           "extensionsRequired: [KHR_materials_pbrSpecularGlossiness],",
+                   .materials = "[{extensions: {KHR_materials_pbrSpecularGlossiness: "
+                                "{diffuseFactor: [0.5, 0.25, 1, 0.75], glossinessFactor: 0.25, "
+                                "specularFactor: [0, 0.01, 0.005], diffuseTexture: {index: 0}}}}, "
+                                "{extensions: {KHR_materials_pbrSpecularGlossiness: "
+                                "{specularGlossinessTexture: {index: 0, texCoord: 1}}}}]"));
     const struct material *material = &scene.materials[0], *textured = &scene.materials[1];
     check_values("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
     assert_int_equal(material->base_color_texture, 0);
@@ -440,16 +396,13 @@ TEST(specular_glossiness) {
 /* A matrix and the TRS it is made of place the quad alike; children come after their parents. */
 TEST(nodes) {
     /* 90 degrees about z, scaled by 2 along x, then moved. */
-    OWNED(scene) scene = load(
-        "nodes.glb",
-        (struct gltf_parts){
-            .nodes =
-                "[{\"name\": \"child\", \"mesh\": 0, \"translation\": [5, 6, 7]},"
-                " {\"name\": \"trs\", \"children\": [0], \"translation\": [1, 2, 3], \"rotation\":"
-                " [0, 0, 0.70710678, 0.70710678], \"scale\": [2, 1, 1]},"
-                " {\"name\": \"matrix\", \"matrix\": [0,2,0,0, -1,0,0,0, 0,0,1,0, 1,2,3,1],"
-                " \"mesh\": 0}, {\"name\": \"unused\"}]",
-            .more = "\"scenes\": [{\"nodes\": []}, {\"nodes\": [1, 2]}], \"scene\": 1,"});
+    OWNED(scene) scene =
+        load("nodes.glb",
+             PARTS(.nodes = "[{name: child, mesh: 0, translation: [5, 6, 7]}, {name: trs, "
+                            "children: [0], translation: [1, 2, 3], rotation: [0, 0, 0.70710678, "
+                            "0.70710678], scale: [2, 1, 1]}, {name: matrix, matrix: [0,2,0,0, "
+                            "-1,0,0,0, 0,0,1,0, 1,2,3,1], mesh: 0}, {name: unused}]",
+                   .more = "scenes: [{nodes: []}, {nodes: [1, 2]}], scene: 1,"));
     assert_int_equal(scene.node_count, 3);
     assert_string_equal(scene.nodes[0].name, "trs");
     assert_string_equal(scene.nodes[1].name, "child");
@@ -474,25 +427,18 @@ TEST(instances) {
         {{1, 1, 1}, {2, 1, 1}, {1, 1, 1}},
         {{0, 0, 0, 32767}, {0, 0, 0, 32767}, {0, 0, 23170, 23170}},
     };
-    OWNED(scene) scene = load(
-        "instances.glb",
-        (struct gltf_parts){
-            .accessors =
-                "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-                " \"type\": \"SCALAR\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 3,"
-                " \"type\": \"VEC3\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 100, \"componentType\": 5126, \"count\": 3,"
-                " \"type\": \"VEC3\"},"
-                " {\"bufferView\": 0, \"byteOffset\": 136, \"componentType\": 5122, \"count\": 3,"
-                " \"normalized\": true, \"type\": \"VEC4\"}]",
-            .more = "\"extensionsRequired\": [\"EXT_mesh_gpu_instancing\"],",
-            .nodes = "[{\"mesh\": 0, \"children\": [1], \"translation\": [0, 0, 5], \"extensions\":"
-                     " {\"EXT_mesh_gpu_instancing\": {\"attributes\": {\"TRANSLATION\": 2,"
-                     " \"SCALE\": 3, \"ROTATION\": 4, \"_ID\": 2}}}}, {\"mesh\": 0}]",
-            .extra = &extra,
-            .extra_size = sizeof extra});
+    OWNED(scene) scene =
+        load("instances.glb",
+             PARTS(.accessors = "[" PARTS_QUAD
+                                ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 3, "
+                                "type: VEC3}, {bufferView: 0, byteOffset: 100, componentType: "
+                                "5126, count: 3, type: VEC3}, {bufferView: 0, byteOffset: 136, "
+                                "componentType: 5122, count: 3, normalized: true, type: VEC4}]",
+                   .more = "extensionsRequired: [EXT_mesh_gpu_instancing],",
+                   .nodes = "[{mesh: 0, children: [1], translation: [0, 0, 5], extensions: "
+                            "{EXT_mesh_gpu_instancing: {attributes: {TRANSLATION: 2, SCALE: 3, "
+                            "ROTATION: 4, _ID: 2}}}}, {mesh: 0}]",
+                   EXTRA(extra)));
     OWNED(geometry) geometry;
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
     assert_int_equal(scene.node_count, 5);
@@ -505,12 +451,12 @@ TEST(instances) {
 TEST(deep_chain) {
     enum { DEPTH = 20000 };
     char *text = mem_alloc(DEPTH * 64, 1), *end = text;
-    end += sprintf(end, "{\"asset\": {\"version\": \"2.0\"}, \"accessors\": [{\"componentType\":"
-                        " 5126, \"count\": 3, \"type\": \"VEC3\"}], \"meshes\": [{\"primitives\":"
-                        " [{\"attributes\": {\"POSITION\": 0}}]}], \"nodes\": [");
+    end +=
+        sprintf(end, "{asset: {version: '2.0'}, accessors: [{componentType: 5126, count: 3, type: "
+                     "VEC3}], meshes: [{primitives: [{attributes: {POSITION: 0}}]}], nodes: [");
     for (int i = 0; i < DEPTH; i++)
-        end += sprintf(end, "{\"children\": [%d], \"translation\": [0, 1, 0]},", i + 1);
-    end += sprintf(end, "{\"mesh\": 0}]}");
+        end += sprintf(end, "{children: [%d], translation: [0, 1, 0]},", i + 1);
+    end += sprintf(end, "{mesh: 0}]}");
     const char *path = scratch("chain.gltf");
     write_bytes(path, text, (size_t)(end - text));
     OWNED(scene) scene;

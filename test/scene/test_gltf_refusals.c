@@ -85,13 +85,10 @@ TEST(huge_picture) {
         0x9C, 0x03, 0x00, 0x00, 0x00, 0x00, 0x01, 0x48, 0x06, 0x89, 0xD2};
     const char *path = write_parts(
         "huge.glb",
-        &(struct gltf_parts){
-            .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
-                     " \"byteLength\": 256}]",
-            .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-            .more = "\"images\": [{\"bufferView\": 1}], \"textures\": [{\"source\": 0}],",
-            .extra = png,
-            .extra_size = sizeof png});
+        &PARTS(.views =
+                   "[{buffer: 0, byteLength: 320}, {buffer: 0, byteOffset: 64, byteLength: 256}]",
+               .materials = "[{pbrMetallicRoughness: {baseColorTexture: {index: 0}}}]",
+               .more = "images: [{bufferView: 1}], textures: [{source: 0}],", EXTRA(png)));
     check_mended("huge picture", path, "image 0: picture: too large: 900000x900000");
 }
 
@@ -194,12 +191,12 @@ TEST(texts) {
     } texts[] = {
         {"hello", "not a scene: neither glTF nor GLB"},
         {"[]", "the JSON is not an object"},
-        {"{\"asset\": ", "the JSON: parse error at line 1, column 11"},
+        {"{asset: ", "the JSON: parse error at line 1, column 11"},
         {"// by hand\n{}", "the JSON: parse error at line 1, column 1: "},
         {"# by hand\n{}", "the JSON: parse error at line 1, column 1: "},
-        {"{\n \"asset\": {\"version\": \"2.0\"},\n}", "parse error at line 3, column 1: "},
-        {"{\"asset\": {\"version\": \"1.0\"}, \"buffers\": {}}", "glTF version 1.0; 2.0 is read"},
-        {"{\"meshes\": {}, \"buffers\": {}}", "glTF version 1.0; 2.0 is read"},
+        {"{\n asset: {version: '2.0'},\n}", "parse error at line 3, column 1: "},
+        {"{asset: {version: '1.0'}, buffers: {}}", "glTF version 1.0; 2.0 is read"},
+        {"{meshes: {}, buffers: {}}", "glTF version 1.0; 2.0 is read"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a Git LFS pointer"},
         {"\xFF\xFE{", "the text is UTF-16; glTF is UTF-8"},
         {"\xFE\xFF", "the text is UTF-16; glTF is UTF-8"},
@@ -214,7 +211,7 @@ TEST(texts) {
     /* Brackets that would overflow the stack of a recursive reader. */
     enum { DEPTH = 200000 };
     char *deep = mem_alloc(DEPTH + 64, 1);
-    size_t size = (size_t)sprintf(deep, "{\"asset\": {\"version\": \"2.0\"}, \"extras\": ");
+    size_t size = (size_t)sprintf(deep, "{asset: {version: '2.0'}, extras: ");
     memset(deep + size, '[', DEPTH);
     write_bytes(path, deep, size + DEPTH);
     check_file_refused("deep", path, scene_load(&scene, path), "the JSON is nested too deep");
@@ -236,18 +233,17 @@ static uint32_t next_random(uint64_t *x) {
 /* Flips, overwrites or inserts digits in a good file: whatever comes out, loading it must end. */
 TEST(mutations) {
     const struct gltf_parts parts = {
-        .accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
-                     " 48," INDEX_TYPE "}, {\"bufferView\": 0, \"componentType\": 5121, \"count\":"
-                     " 4, \"type\": \"VEC3\", \"sparse\": {\"count\": 2, \"indices\":"
-                     " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123},"
-                     " \"values\": {\"bufferView\": 0, \"byteOffset\": 60}}}]",
-        .meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2}, \"indices\": 1,"
-                            " \"material\": 0, \"mode\": 5"),
-        .nodes = "[{\"mesh\": 0, \"children\": [1, 2]}, {\"camera\": 0, \"scale\": [1, 2, 3]},"
-                 " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-        .more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1,"
-                " \"znear\": 1}}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\":"
-                " [{\"type\": \"spot\", \"spot\": {}}]}}, \"scenes\": [{\"nodes\": [0]}],"};
+        .accessors = "[{bufferView: 0," VECTORS "}, {bufferView: 0, byteOffset: 48," INDEX_TYPE
+                     "}, {bufferView: 0, componentType: 5121, count: 4, type: VEC3, sparse: "
+                     "{count: 2, indices: {bufferView: 0, byteOffset: 48, componentType: 5123}, "
+                     "values: {bufferView: 0, byteOffset: 60}}}]",
+        .meshes =
+            PRIMITIVE("attributes: {POSITION: 0, NORMAL: 2}, indices: 1, material: 0, mode: 5"),
+        .nodes = "[{mesh: 0, children: [1, 2]}, {camera: 0, scale: [1, 2, 3]}, {extensions: "
+                 "{KHR_lights_punctual: {light: 0}}}]",
+        .more =
+            "cameras: [{type: perspective, perspective: {yfov: 1, znear: 1}}], extensions: "
+            "{KHR_lights_punctual: {lights: [{type: spot, spot: {}}]}}, scenes: [{nodes: [0]}],"};
     size_t size = parts_glb(&parts, glb, sizeof glb);
     static unsigned char good[sizeof glb];
     memcpy(good, glb, size);

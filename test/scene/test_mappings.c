@@ -24,8 +24,8 @@ static const float sets[4][4][2] = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}},
                                     {{1, 0}, {0, 0}, {0, 1}, {1, 1}}};
 
 #define ACCESSOR(at, count, kind, type)                                                            \
-    "{\"bufferView\": 0, \"byteOffset\": " #at ", \"componentType\": " #kind                       \
-    ", \"count\": " #count ", \"type\": \"" type "\"}"
+    "{bufferView: 0, byteOffset: " #at ", componentType: " #kind ", count: " #count                \
+    ", type: '" type "'}"
 
 #define UVS(at) ACCESSOR(at, 4, 5126, "VEC2")
 
@@ -44,17 +44,12 @@ static const unsigned char texels[][2][4] = {
     {{1, 10, 32, 255}, {40, 128, 250, 255}}};
 
 static const char textures[] =
-    "\"images\": [{\"uri\": \"0.png\"}, {\"uri\": \"1.png\"}, {\"uri\": \"2.png\"},"
-    " {\"uri\": \"3.png\"}, {\"uri\": \"4.png\"}, {\"uri\": \"5.png\"}, {\"uri\": \"6.png\"},"
-    " {\"uri\": \"7.png\"}, {\"uri\": \"8.png\"}],"
-    "\"samplers\": [{\"magFilter\": 9728}, {\"magFilter\": 9728, \"wrapS\": 33071},"
-    " {\"magFilter\": 9728, \"wrapS\": 33648}],"
-    "\"textures\": [{\"source\": 0, \"sampler\": 0}, {\"source\": 1, \"sampler\": 0},"
-    " {\"source\": 2, \"sampler\": 0}, {\"source\": 3, \"sampler\": 0},"
-    " {\"source\": 4, \"sampler\": 0}, {\"source\": 5, \"sampler\": 0},"
-    " {\"source\": 6, \"sampler\": 0}, {\"source\": 1, \"sampler\": 1},"
-    " {\"source\": 1, \"sampler\": 2}, {\"source\": 7, \"sampler\": 0},"
-    " {\"source\": 8, \"sampler\": 0}],";
+    "images: [{uri: '0.png'}, {uri: '1.png'}, {uri: '2.png'}, {uri: '3.png'}, {uri: '4.png'}, "
+    "{uri: '5.png'}, {uri: '6.png'}, {uri: '7.png'}, {uri: '8.png'}], samplers: [{magFilter: "
+    "9728}, {magFilter: 9728, wrapS: 33071}, {magFilter: 9728, wrapS: 33648}], textures: [{source: "
+    "0, sampler: 0}, {source: 1, sampler: 0}, {source: 2, sampler: 0}, {source: 3, sampler: 0}, "
+    "{source: 4, sampler: 0}, {source: 5, sampler: 0}, {source: 6, sampler: 0}, {source: 1, "
+    "sampler: 1}, {source: 1, sampler: 2}, {source: 7, sampler: 0}, {source: 8, sampler: 0}],";
 
 static const char *write_square(const char *material) {
     static char more[4096], name[32];
@@ -67,26 +62,20 @@ static const char *write_square(const char *material) {
         write_tiny_png(scratch(name), rgba[0], 2, 2);
     }
     snprintf(more, sizeof more,
-             "%s \"cameras\": [{\"type\": \"orthographic\", \"orthographic\": {\"xmag\": 0.5,"
-             " \"ymag\": 0.5, \"znear\": 0.1, \"zfar\": 10}}], \"extensions\":"
-             " {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"directional\", \"intensity\":"
-             " 3.14159265}]}},",
+             "%s cameras: [{type: orthographic, orthographic: {xmag: 0.5, ymag: 0.5, znear: 0.1, "
+             "zfar: 10}}], extensions: {KHR_lights_punctual: {lights: [{type: directional, "
+             "intensity: 3.14159265}]}},",
              textures);
     const char *materials = form("[%s]", material);
     snprintf(name, sizeof name, "square%d.glb", count++);
     return write_parts(
         name,
-        &(struct gltf_parts){
-            .more = more,
-            .accessors = accessors,
-            .materials = materials,
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2,"
-                      " \"TEXCOORD_1\": 3, \"TEXCOORD_2\": 4, \"TEXCOORD_3\": 5}, \"indices\": 1,"
-                      " \"material\": 0}]}]",
-            .nodes = "[{\"mesh\": 0}, {\"camera\": 0, \"translation\": [0.5, 0.5, 3]},"
-                     " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-            .extra = sets,
-            .extra_size = sizeof sets});
+        &PARTS(.more = more, .accessors = accessors, .materials = materials,
+               .meshes = "[{primitives: [{attributes: {POSITION: 0, TEXCOORD_0: 2, TEXCOORD_1: 3, "
+                         "TEXCOORD_2: 4, TEXCOORD_3: 5}, indices: 1, material: 0}]}]",
+               .nodes = "[{mesh: 0}, {camera: 0, translation: [0.5, 0.5, 3]}, {extensions: "
+                        "{KHR_lights_punctual: {light: 0}}}]",
+               EXTRA(sets)));
 }
 
 struct pictures {
@@ -142,38 +131,32 @@ static void check_rows(const struct row *rows, size_t count) {
 }
 
 #define BASE                                                                                       \
-    "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\": [0.5, 0.5, 0.5, 1],"   \
-    " \"baseColorTexture\": {\"index\": 0}}"
-#define GLOW "{" BASE ", \"emissiveFactor\": [1, 1, 1], \"emissiveTexture\": {"
-#define TRANSFORM "\"extensions\": {\"KHR_texture_transform\": {"
+    "pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: [0.5, 0.5, 0.5, 1], "              \
+    "baseColorTexture: {index: 0}}"
+#define GLOW "{" BASE ", emissiveFactor: [1, 1, 1], emissiveTexture: {"
+#define TRANSFORM "extensions: {KHR_texture_transform: {"
 
 /* Half of the light, and where the glow lies its own. */
 TEST(emission) {
     static const struct row rows[] = {
-        {"set 1", GLOW "\"index\": 1, \"texCoord\": 1}}", "R", {.5, 1.5, .5, .5}},
-        {"set 2", GLOW "\"index\": 1, \"texCoord\": 2}}", "R", {.5, .5, 1.5, .5}},
+        {"set 1", GLOW "index: 1, texCoord: 1}}", "R", {.5, 1.5, .5, .5}},
+        {"set 2", GLOW "index: 1, texCoord: 2}}", "R", {.5, .5, 1.5, .5}},
         {"set of the transform",
-         GLOW "\"index\": 1, " TRANSFORM "\"texCoord\": 3}}}}",
+         GLOW "index: 1, " TRANSFORM "texCoord: 3}}}}",
          "R",
          {.5, .5, .5, 1.5}},
-        {"offset",
-         GLOW "\"index\": 1, " TRANSFORM "\"offset\": [0.5, 0]}}}}",
-         "R",
-         {.5, 1.5, .5, .5}},
-        {"rotation",
-         GLOW "\"index\": 1, " TRANSFORM "\"rotation\": 1.5707963}}}}",
-         "R",
-         {.5, 1.5, .5, .5}},
+        {"offset", GLOW "index: 1, " TRANSFORM "offset: [0.5, 0]}}}}", "R", {.5, 1.5, .5, .5}},
+        {"rotation", GLOW "index: 1, " TRANSFORM "rotation: 1.5707963}}}}", "R", {.5, 1.5, .5, .5}},
         {"repeated",
-         GLOW "\"index\": 1, " TRANSFORM "\"scale\": [2, 1], \"offset\": [-0.75, 0]}}}}",
+         GLOW "index: 1, " TRANSFORM "scale: [2, 1], offset: [-0.75, 0]}}}}",
          "R",
          {.5, .5, .5, .5}},
         {"clamped",
-         GLOW "\"index\": 7, " TRANSFORM "\"scale\": [2, 1], \"offset\": [-0.75, 0]}}}}",
+         GLOW "index: 7, " TRANSFORM "scale: [2, 1], offset: [-0.75, 0]}}}}",
          "R",
          {1.5, .5, .5, .5}},
         {"mirrored",
-         GLOW "\"index\": 8, " TRANSFORM "\"scale\": [2, 1], \"offset\": [-1.25, 0]}}}}",
+         GLOW "index: 8, " TRANSFORM "scale: [2, 1], offset: [-1.25, 0]}}}}",
          "R",
          {.5, 1.5, .5, .5}},
     };
@@ -182,24 +165,23 @@ TEST(emission) {
 
 /* .955 is what a surface of the standard's reflectance lets through. */
 #define METAL(base, more)                                                                          \
-    "{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], " base                   \
-    " \"metallicRoughnessTexture\": {\"index\": 2, " more "}}}"
+    "{pbrMetallicRoughness: {baseColorFactor: [0.5, 0.5, 0.5, 1], " base                           \
+    " metallicRoughnessTexture: {index: 2, " more "}}}"
 
 TEST(metal) {
     static const struct row rows[] = {
         {"set 2",
-         METAL("\"baseColorTexture\": {\"index\": 0},", "\"texCoord\": 2"),
+         METAL("baseColorTexture: {index: 0},", "texCoord: 2"),
          "albedo.R",
          {.4775, .4775, 0, .4775}},
-        {"alone, set 3", METAL("", "\"texCoord\": 3"), "albedo.R", {.4775, .4775, .4775, 0}},
+        {"alone, set 3", METAL("", "texCoord: 3"), "albedo.R", {.4775, .4775, .4775, 0}},
         {"offset",
-         METAL("\"baseColorTexture\": {\"index\": 0},", TRANSFORM "\"offset\": [0.5, 0.5]}}"),
+         METAL("baseColorTexture: {index: 0},", TRANSFORM "offset: [0.5, 0.5]}}"),
          "albedo.R",
          {.4775, .4775, .4775, 0}},
         {"under a mask by set 1",
-         "{\"alphaMode\": \"MASK\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5,"
-         " 1], \"baseColorTexture\": {\"index\": 3, \"texCoord\": 1}, \"metallicRoughnessTexture\":"
-         " {\"index\": 2}}}",
+         "{alphaMode: MASK, pbrMetallicRoughness: {baseColorFactor: [0.5, 0.5, 0.5, 1], "
+         "baseColorTexture: {index: 3, texCoord: 1}, metallicRoughnessTexture: {index: 2}}}",
          "albedo.R",
          {0, 0, .4775, .4775}},
     };
@@ -210,23 +192,20 @@ TEST(metal) {
 TEST(normals) {
     static const struct row rows[] = {
         {"set 1",
-         "{" BASE ", \"normalTexture\": {\"index\": 4, \"texCoord\": 1}}",
+         "{" BASE ", normalTexture: {index: 4, texCoord: 1}}",
          "normal.X",
          {-.707, -.707, -.707, -.707}},
-        {"set 0",
-         "{" BASE ", \"normalTexture\": {\"index\": 4}}",
-         "normal.X",
-         {.707, .707, .707, .707}},
+        {"set 0", "{" BASE ", normalTexture: {index: 4}}", "normal.X", {.707, .707, .707, .707}},
         {"rotated",
-         "{" BASE ", \"normalTexture\": {\"index\": 4, " TRANSFORM "\"rotation\": 1.5707963}}}}",
+         "{" BASE ", normalTexture: {index: 4, " TRANSFORM "rotation: 1.5707963}}}}",
          "normal.Y",
          {-.707, -.707, -.707, -.707}},
         {"rotated, along Y",
-         "{" BASE ", \"normalTexture\": {\"index\": 5, " TRANSFORM "\"rotation\": 1.5707963}}}}",
+         "{" BASE ", normalTexture: {index: 5, " TRANSFORM "rotation: 1.5707963}}}}",
          "normal.X",
          {.707, .707, .707, .707}},
         {"upside down, along Y",
-         "{" BASE ", \"normalTexture\": {\"index\": 5, \"texCoord\": 2}}",
+         "{" BASE ", normalTexture: {index: 5, texCoord: 2}}",
          "normal.Y",
          {-.707, -.707, -.707, -.707}},
     };
@@ -236,13 +215,11 @@ TEST(normals) {
 /* Four textures, four mappings. Two quarters differ by the glow alone. */
 TEST(all) {
     struct pictures pictures;
-    make_pictures(
-        write_square("{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1],"
-                     " \"baseColorTexture\": {\"index\": 0}, \"metallicRoughnessTexture\":"
-                     " {\"index\": 2, \"texCoord\": 1}}, \"emissiveFactor\": [1, 1, 1],"
-                     " \"emissiveTexture\": {\"index\": 1, \"texCoord\": 2}, \"normalTexture\":"
-                     " {\"index\": 4, \"texCoord\": 3}}"),
-        &pictures);
+    make_pictures(write_square("{pbrMetallicRoughness: {baseColorFactor: [0.5, 0.5, 0.5, 1], "
+                               "baseColorTexture: {index: 0}, metallicRoughnessTexture: {index: 2, "
+                               "texCoord: 1}}, emissiveFactor: [1, 1, 1], emissiveTexture: {index: "
+                               "1, texCoord: 2}, normalTexture: {index: 4, texCoord: 3}}"),
+                  &pictures);
     check_quarters("metal", &pictures, "albedo.R", (double[]){.4775, 0, .4775, .4775});
     check_quarters("normal", &pictures, "normal.X", (double[]){-.707, -.707, -.707, -.707});
     check_near("drawn glow", value_at(&pictures.drawn, "R", 2) - value_at(&pictures.drawn, "R", 0),
@@ -252,8 +229,8 @@ TEST(all) {
     free_pictures(&pictures);
 }
 
-#define GLOSSINESS "{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {"
-#define HALF "\"diffuseFactor\": [0.5, 0.5, 0.5, 1]"
+#define GLOSSINESS "{extensions: {KHR_materials_pbrSpecularGlossiness: {"
+#define HALF "diffuseFactor: [0.5, 0.5, 0.5, 1]"
 
 /* The diffuse part has the light that the lobe leaves. A lobe of roughness 1 and a reflectance of a
  * half reflects half of 1 - ln 2, .1534, straight up. .125 is what it reflects where it
@@ -261,35 +238,35 @@ TEST(all) {
 TEST(glossiness) {
     static const struct row rows[] = {
         {"texture by set 1",
-         GLOSSINESS HALF ", \"specularGlossinessTexture\": {\"index\": 6, \"texCoord\": 1}}}}",
+         GLOSSINESS HALF ", specularGlossinessTexture: {index: 6, texCoord: 1}}}}",
          "albedo.R",
          {.4233, .5, .4233, .4233}},
         {"both textures",
-         GLOSSINESS HALF ", \"diffuseTexture\": {\"index\": 1}, \"specularGlossinessTexture\":"
-                         " {\"index\": 6, " TRANSFORM "\"offset\": [0, 0.5]}}}}}}",
+         GLOSSINESS HALF
+         ", diffuseTexture: {index: 1}, specularGlossinessTexture: {index: 6, " TRANSFORM
+         "offset: [0, 0.5]}}}}}}",
          "albedo.R",
          {.4233, 0, 0, 0}},
         {"texture times factors",
-         GLOSSINESS HALF ", \"specularFactor\": [0.5, 0.25, 0.25], \"glossinessFactor\": 0.5,"
-                         " \"specularGlossinessTexture\": {\"index\": 6}}}}",
+         GLOSSINESS HALF ", specularFactor: [0.5, 0.25, 0.25], glossinessFactor: 0.5, "
+                         "specularGlossinessTexture: {index: 6}}}}",
          "albedo.R",
          {.5, .4616, .4616, .4616}},
         {"rough by its alpha",
-         GLOSSINESS "\"diffuseFactor\": [0, 0, 0, 1], \"specularGlossinessTexture\":"
-                    " {\"index\": 6, \"texCoord\": 2}}}}",
+         GLOSSINESS
+         "diffuseFactor: [0, 0, 0, 1], specularGlossinessTexture: {index: 6, texCoord: 2}}}}",
          "R",
          {.125, .125, 0, .125}},
         {"no reflectance, smooth",
-         GLOSSINESS HALF ", \"specularFactor\": [0, 0, 0]}}}",
+         GLOSSINESS HALF ", specularFactor: [0, 0, 0]}}}",
          "R",
          {.5, .5, .5, .5}},
         {"no reflectance by the texture, smooth",
-         GLOSSINESS HALF ", \"specularFactor\": [0, 0, 0], \"specularGlossinessTexture\":"
-                         " {\"index\": 0}}}}",
+         GLOSSINESS HALF ", specularFactor: [0, 0, 0], specularGlossinessTexture: {index: 0}}}}",
          "R",
          {.5, .5, .5, .5}},
         {"a reflectance of a half",
-         GLOSSINESS HALF ", \"specularFactor\": [0.5, 0.5, 0.5]}}}",
+         GLOSSINESS HALF ", specularFactor: [0.5, 0.5, 0.5]}}}",
          "albedo.R",
          {.25, .25, .25, .25}},
     };
@@ -298,7 +275,7 @@ TEST(glossiness) {
 
 /* --- what is left out ------------------------------------------------------------------------- */
 
-#define SPECULAR(of) "{" BASE ", \"extensions\": {\"KHR_materials_specular\": {" of "}}}"
+#define SPECULAR(of) "{" BASE ", extensions: {KHR_materials_specular: {" of "}}}"
 
 /* Of a texture of which a quarter is white, f0 and f90 are a quarter, or f0 alone is. Scenes do not
  * keep it. */
@@ -307,13 +284,12 @@ TEST(means) {
         const char *material;
         double f0, f90;
     } rows[] = {
-        {SPECULAR("\"specularTexture\": {\"index\": 1}"), .01, .25},
-        {SPECULAR("\"specularColorTexture\": {\"index\": 1, \"texCoord\": 1}"), .01, 1},
-        {SPECULAR("\"specularFactor\": 0.5, \"specularTexture\": {\"index\": 1},"
-                  " \"specularColorTexture\": {\"index\": 1}"),
+        {SPECULAR("specularTexture: {index: 1}"), .01, .25},
+        {SPECULAR("specularColorTexture: {index: 1, texCoord: 1}"), .01, 1},
+        {SPECULAR(
+             "specularFactor: 0.5, specularTexture: {index: 1}, specularColorTexture: {index: 1}"),
          .00125, .125},
-        {SPECULAR("\"specularColorFactor\": [0.5, 0.5, 0.5], \"specularTexture\": {\"index\": 0}"),
-         .02, 1},
+        {SPECULAR("specularColorFactor: [0.5, 0.5, 0.5], specularTexture: {index: 0}"), .02, 1},
         {SPECULAR(""), .04, 1}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(scene) scene;
@@ -331,7 +307,7 @@ TEST(means) {
 TEST(no_such_set) {
     struct pictures pictures;
     hear_notes();
-    make_pictures(write_square(GLOW "\"index\": 1, \"texCoord\": 5}}"), &pictures);
+    make_pictures(write_square(GLOW "index: 1, texCoord: 5}}"), &pictures);
     end_notes();
     check_quarters("set 5", &pictures, "R", (double[]){1.5, 1.5, 1.5, 1.5});
     assert_non_null(strstr(notes, "texture coordinates"));
@@ -343,16 +319,16 @@ TEST(no_such_set) {
 TEST(set_left_over) {
     static const struct row rows[] = {
         {"own set 1",
-         GLOW "\"index\": 1, \"texCoord\": 1, " TRANSFORM "\"texCoord\": 7}}}}",
+         GLOW "index: 1, texCoord: 1, " TRANSFORM "texCoord: 7}}}}",
          "R",
          {.5, 1.5, .5, .5}},
         {"own set 0, moved",
-         GLOW "\"index\": 1, " TRANSFORM "\"texCoord\": 4, \"offset\": [0.5, 0]}}}}",
+         GLOW "index: 1, " TRANSFORM "texCoord: 4, offset: [0.5, 0]}}}}",
          "R",
          {.5, 1.5, .5, .5}},
         {"of a base colour",
-         "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 1,"
-         " \"texCoord\": 2, " TRANSFORM "\"texCoord\": 4}}}}}",
+         "{pbrMetallicRoughness: {metallicFactor: 0, baseColorTexture: {index: 1, texCoord: "
+         "2, " TRANSFORM "texCoord: 4}}}}}",
          "R",
          {0, 0, 1, 0}},
     };
@@ -365,27 +341,26 @@ TEST(set_left_over) {
 
 /* --- what is unlit ---------------------------------------------------------------------------- */
 
-#define UNLIT ", \"extensions\": {\"KHR_materials_unlit\": {}"
+#define UNLIT ", extensions: {KHR_materials_unlit: {}"
 
 /* The base colour alone, and no lamp is made of it. */
 TEST(unlit) {
     static const struct row rows[] = {
-        {"emission", "{" BASE UNLIT "}, \"emissiveFactor\": [1, 1, 1]}", "R", {.5, .5, .5, .5}},
+        {"emission", "{" BASE UNLIT "}, emissiveFactor: [1, 1, 1]}", "R", {.5, .5, .5, .5}},
         {"emissive texture",
-         GLOW "\"index\": 1}" UNLIT ", \"KHR_materials_emissive_strength\": {\"emissiveStrength\":"
-              " 9}}}",
+         GLOW "index: 1}" UNLIT ", KHR_materials_emissive_strength: {emissiveStrength: 9}}}",
          "R",
          {.5, .5, .5, .5}},
         {"metal, normals, transmission",
-         "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 1},"
-         " \"metallicRoughnessTexture\": {\"index\": 2}}, \"normalTexture\": {\"index\": 4}" UNLIT
-         ", \"KHR_materials_transmission\": {\"transmissionFactor\": 1}}}",
+         "{pbrMetallicRoughness: {baseColorTexture: {index: 1}, metallicRoughnessTexture: {index: "
+         "2}}, normalTexture: {index: 4}" UNLIT
+         ", KHR_materials_transmission: {transmissionFactor: 1}}}",
          "R",
          {1, 0, 0, 0}},
         {"specular glossiness",
-         "{\"emissiveFactor\": [1, 1, 1]" UNLIT ", \"KHR_materials_pbrSpecularGlossiness\":"
-         " {\"diffuseFactor\": [0.25, 0.5, 0.5, 1], \"specularGlossinessTexture\": {\"index\":"
-         " 6}}}}",
+         "{emissiveFactor: [1, 1, 1]" UNLIT
+         ", KHR_materials_pbrSpecularGlossiness: {diffuseFactor: [0.25, 0.5, 0.5, 1], "
+         "specularGlossinessTexture: {index: 6}}}}",
          "R",
          {.25, .25, .25, .25}},
     };
@@ -402,7 +377,7 @@ TEST(unlit) {
 TEST(small_light) {
     static unsigned char rgba[64 * 64][4];
     struct pictures pictures;
-    const char *path = write_square(GLOW "\"index\": 1}}");
+    const char *path = write_square(GLOW "index: 1}}");
     memset(rgba, 0, sizeof rgba);
     memset(rgba[64 * 16 + 16], 255, 4);
     write_tiny_png(scratch("1.png"), rgba[0], 64, 64);
@@ -418,7 +393,7 @@ TEST(high_picture) {
     enum { HEIGHT = 20000 };
     static unsigned char rgba[HEIGHT][4];
     struct pictures pictures;
-    const char *path = write_square(GLOW "\"index\": 1}}");
+    const char *path = write_square(GLOW "index: 1}}");
     memset(rgba, 255, sizeof rgba / 2);
     write_tiny_png(scratch("1.png"), rgba[0], 1, HEIGHT);
     hear_notes();
@@ -438,10 +413,10 @@ TEST(counts) {
         const char *material;
         int mappings;
     } rows[] = {{"{" BASE "}", 1},
-                {GLOW "\"index\": 1}}", 1},
-                {GLOW "\"index\": 1, \"texCoord\": 1}}", 2},
-                {GLOW "\"index\": 1, \"texCoord\": 2}, \"normalTexture\": {\"index\": 4, " TRANSFORM
-                      "\"scale\": [2, 2]}}}}",
+                {GLOW "index: 1}}", 1},
+                {GLOW "index: 1, texCoord: 1}}", 2},
+                {GLOW "index: 1, texCoord: 2}, normalTexture: {index: 4, " TRANSFORM
+                      "scale: [2, 2]}}}}",
                  3}};
     uint64_t sums[sizeof rows / sizeof *rows];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -503,12 +478,12 @@ TEST(dark_albedo) {
     for (int texture = 7; texture <= 8; texture++)
         for (int quarter = 0; quarter <= 1; quarter++) {
             const unsigned char *code = texels[texture][quarter];
-            const char *material = form(
-                "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": %d}}}", texture + 2);
+            const char *material =
+                form("{pbrMetallicRoughness: {baseColorTexture: {index: %d}}}", texture + 2);
             check_albedo(material, quarter,
                          (double[]){decoded(code[0]), decoded(code[1]), decoded(code[2])});
         }
-    check_albedo("{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.002, 0.01, 0.5, 1]}}", 0,
+    check_albedo("{pbrMetallicRoughness: {baseColorFactor: [0.002, 0.01, 0.5, 1]}}", 0,
                  (double[]){.002, .01, .5});
 }
 

@@ -73,9 +73,8 @@ TEST(values) {
     OWNED(scene) scene;
     check_ok("share",
              load_parts(&scene, "v.glb",
-                        &(struct gltf_parts){.materials = MATERIAL(
-                                                 "\"roughnessFactor\": 1.5, \"metallicFactor\": -1,"
-                                                 " \"baseColorFactor\": [2, 0.25, -1]")}));
+                        &PARTS(.materials = MATERIAL("roughnessFactor: 1.5, metallicFactor: -1, "
+                                                     "baseColorFactor: [2, 0.25, -1]"))));
     const struct material *material = &scene.materials[0];
     check_near("roughness", (double)material->roughness, 1, 0);
     check_near("metalness", (double)material->metalness, 0, 0);
@@ -84,18 +83,15 @@ TEST(values) {
     check_near("blue", (double)material->base_color[2], 0, 0);
     check_near("alpha", (double)material->base_color[3], 1, 0);
     scene_free(&scene);
-    check_ok("turn", load_parts(&scene, "v.glb",
-                                &(struct gltf_parts){.nodes = NODE("\"rotation\": [0, 0, 0, 0]")}));
+    check_ok("turn", load_parts(&scene, "v.glb", &PARTS(.nodes = NODE("rotation: [0, 0, 0, 0]"))));
     check_near("no turn", (double)scene.nodes[0].rotation[3], 1, 0);
     scene_free(&scene);
-    check_ok("seven",
-             load_parts(&scene, "v.glb", &(struct gltf_parts){.accessors = COUNTS("4", "7")}));
+    check_ok("seven", load_parts(&scene, "v.glb", &PARTS(.accessors = COUNTS("4", "7"))));
     check_near("indices", scene.meshes[0].primitives[0].index_count, 6, 0);
     scene_free(&scene);
-    check_ok("strided",
-             load_parts(&scene, "v.glb",
-                        &(struct gltf_parts){.views = TWO_VIEWS("", ", \"byteStride\": 4"),
-                                             .accessors = IN_TWO_VIEWS}));
+    check_ok("strided", load_parts(&scene, "v.glb",
+                                   &PARTS(.views = TWO_VIEWS("", ", byteStride: 4"),
+                                          .accessors = IN_TWO_VIEWS)));
     check_near("the last corner", (double)scene.meshes[0].primitives[0].position[5][0], 0, 0);
     check_near("the last corner", (double)scene.meshes[0].primitives[0].position[5][1], 1, 0);
 }
@@ -111,23 +107,21 @@ static const struct keys good_keys = {
     {0, 1}, {{0, 0, 0}, {0, 0, 5}}, {0, 1, 2}, {{0, 0, 0, 1}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 #define FLOATS(offset, count, type)                                                                \
-    "{\"bufferView\": 0, \"byteOffset\": " offset ", \"componentType\": 5126, \"count\": " count   \
-    ", \"type\": \"" type "\"}"
+    "{bufferView: 0, byteOffset: " offset ", componentType: 5126, count: " count ", type: '" type  \
+    "'}"
 
 static void check_clip(const char *what, const struct keys *keys, const char *output,
                        const char *sampler, const char *target, const char *note) {
     char more[1024];
     const char *accessors =
-        form("[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+        form("[{bufferView: 0," VECTORS "}, {bufferView: 0, byteOffset: 48," INDEX_TYPE
              "}, " FLOATS("64", "2", "SCALAR") ", " FLOATS("72", "2", "VEC3") ", " FLOATS(
                  "96", "3", "SCALAR") ", %s]",
              output);
-    snprintf(
-        more, sizeof more,
-        "\"animations\": [{\"name\": \"both\", \"samplers\": [{\"input\": 2, \"output\": 3}, %s],"
-        " \"channels\": [{\"sampler\": 1, %s}, {\"sampler\": 0, \"target\": {\"node\": 0,"
-        " \"path\": \"translation\"}}]}],",
-        sampler, target);
+    snprintf(more, sizeof more,
+             "animations: [{name: both, samplers: [{input: 2, output: 3}, %s], channels: "
+             "[{sampler: 1, %s}, {sampler: 0, target: {node: 0, path: translation}}]}],",
+             sampler, target);
     const struct gltf_parts parts = {
         .accessors = accessors, .more = more, .extra = keys, .extra_size = sizeof *keys};
     const char *path = write_parts("clip.glb", &parts);
@@ -143,8 +137,8 @@ static void check_clip(const char *what, const struct keys *keys, const char *ou
 }
 
 #define TURNS FLOATS("108", "3", "VEC4")
-#define SAMPLER "{\"input\": 4, \"output\": 5}"
-#define TURNED "\"target\": {\"node\": 0, \"path\": \"rotation\"}"
+#define SAMPLER "{input: 4, output: 5}"
+#define TURNED "target: {node: 0, path: rotation}"
 #define BAD "channels of clips that are not valid are left out: animation 0 'both': channel 0: "
 
 static struct keys with_times(float a, float b, float c) {
@@ -182,23 +176,20 @@ TEST(clips) {
     check_clip("turns without their fourth number", &keys, FLOATS("108", "3", "VEC3"), SAMPLER,
                TURNED, BAD "output: accessor 5 has 3 numbers an element, not 4");
     check_clip("cubic with too few", &keys, TURNS,
-               "{\"input\": 4, \"output\": 5, \"interpolation\": \"CUBICSPLINE\"}", TURNED,
+               "{input: 4, output: 5, interpolation: CUBICSPLINE}", TURNED,
                BAD "output: 3 elements, not 9");
     check_clip("no such interpolation", &keys, TURNS,
-               "{\"input\": 4, \"output\": 5, \"interpolation\": \"BEZIER\"}", TURNED,
+               "{input: 4, output: 5, interpolation: BEZIER}", TURNED,
                BAD "sampler 1: interpolation: \"BEZIER\" is none of");
-    check_clip("no input", &keys, TURNS, "{\"output\": 5}", TURNED,
-               BAD "sampler 1: it has no 'input'");
-    check_clip("no such output", &keys, TURNS, "{\"input\": 4, \"output\": 50}", TURNED,
+    check_clip("no input", &keys, TURNS, "{output: 5}", TURNED, BAD "sampler 1: it has no 'input'");
+    check_clip("no such output", &keys, TURNS, "{input: 4, output: 50}", TURNED,
                BAD "sampler 1: output: 50, but there are 6 accessors");
     check_clip("a sampler of 7", &keys, TURNS, "7", TURNED, BAD "sampler 1: 7 is not an object");
-    check_clip("no such node", &keys, TURNS, SAMPLER,
-               "\"target\": {\"node\": 9, \"path\": \"rotation\"}",
+    check_clip("no such node", &keys, TURNS, SAMPLER, "target: {node: 9, path: rotation}",
                BAD "target: node: 9, but there are 1 nodes");
-    check_clip("no path", &keys, TURNS, SAMPLER, "\"target\": {\"node\": 0}",
+    check_clip("no path", &keys, TURNS, SAMPLER, "target: {node: 0}",
                BAD "target: it has no 'path'");
-    check_clip("weights for nothing", &keys, TURNS, SAMPLER,
-               "\"target\": {\"node\": 0, \"path\": \"weights\"}",
+    check_clip("weights for nothing", &keys, TURNS, SAMPLER, "target: {node: 0, path: weights}",
                BAD "weights of a node without morph targets");
 }
 
@@ -217,14 +208,12 @@ TEST(stand_ins) {
     write_bytes(scratch("broken.png"), "\x89PNG\r\n\x1a\nand no more", 19);
     const char *path = write_parts(
         "pictures.glb",
-        &(struct gltf_parts){
-            .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0},"
-                         " \"metallicRoughnessTexture\": {\"index\": 1}}, \"emissiveFactor\":"
-                         " [1, 1, 1], \"emissiveTexture\": {\"index\": 2}, \"normalTexture\":"
-                         " {\"index\": 3}}]",
-            .more = "\"images\": [{\"uri\": \"none.png\"}, {\"uri\": \"broken.png\"}, {\"uri\":"
-                    " \"none.jpg\"}, {\"bufferView\": 0}], \"textures\": [{\"source\": 0},"
-                    " {\"source\": 1}, {\"source\": 2}, {\"source\": 3}],"});
+        &PARTS(.materials = "[{pbrMetallicRoughness: {baseColorTexture: {index: 0}, "
+                            "metallicRoughnessTexture: {index: 1}}, emissiveFactor: [1, 1, 1], "
+                            "emissiveTexture: {index: 2}, normalTexture: {index: 3}}]",
+               .more = "images: [{uri: 'none.png'}, {uri: 'broken.png'}, {uri: 'none.jpg'}, "
+                       "{bufferView: 0}], textures: [{source: 0}, {source: 1}, {source: 2}, "
+                       "{source: 3}],"));
     check_ok("open", open_file(&scene, path));
     const struct material *material = &scene.materials[0];
     check_texel("base colour", &scene, material->base_color_texture, 0, 255, 0, 255);

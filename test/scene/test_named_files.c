@@ -28,11 +28,9 @@ static void write_colour(const char *path) {
 /* A scene in the folder "model" whose quad has the picture of that name; its path. */
 static const char *write_textured(const char *uri) {
     static char more[1 << 14];
-    snprintf(more, sizeof more, "\"images\": [{\"uri\": \"%s\"}], \"textures\": [{\"source\": 0}],",
-             uri);
+    snprintf(more, sizeof more, "images: [{uri: '%s'}], textures: [{source: 0}],", uri);
     mkdir(scratch("model"), 0777);
-    return write_parts("model/scene.glb",
-                       &(struct gltf_parts){.materials = TEXTURED, .more = more});
+    return write_parts("model/scene.glb", &PARTS(.materials = TEXTURED, .more = more));
 }
 
 static bool has_colour(const struct scene *scene) {
@@ -293,12 +291,11 @@ static void check_buffer(const char *head, int length, int extra,
                          void (*encode)(const unsigned char *, size_t, char *)) {
     static char buffers[4096], uri[3000];
     unsigned char bin[PARTS_BIN] = {0};
-    parts_bin(&(struct gltf_parts){0}, bin);
+    parts_bin(&PARTS(0), bin);
     encode(bin, (size_t)(60 + extra), uri + snprintf(uri, sizeof uri, "%s", head));
-    snprintf(buffers, sizeof buffers, "[{\"byteLength\": %d, \"uri\": \"%s\"}]", length, uri);
+    snprintf(buffers, sizeof buffers, "[{byteLength: %d, uri: '%s'}]", length, uri);
     const char *path = write_parts(
-        "buffer.glb",
-        &(struct gltf_parts){.buffers = buffers, .views = "[{\"buffer\": 0, \"byteLength\": 60}]"});
+        "buffer.glb", &PARTS(.buffers = buffers, .views = "[{buffer: 0, byteLength: 60}]"));
     struct scene scene;
     check_ok("strict", read_rules_set(length <= 60 + extra, NULL));
     check_ok(head, scene_load(&scene, path));
@@ -318,14 +315,13 @@ TEST(buffers) {
     check_buffer("data:application/octet-stream;base64,", 60, 200, to_base64);
     check_buffer("data:text/plain;base64,", 64, 0, to_base64); /* fewer, which no view needs */
     unsigned char bin[PARTS_BIN] = {0};
-    parts_bin(&(struct gltf_parts){0}, bin);
+    parts_bin(&PARTS(0), bin);
     for (size_t size = 60; size <= PARTS_BIN; size += 130) {
         OWNED(scene) scene;
         write_bytes(scratch("long.bin"), bin, size);
         check_ok("file", load_parts(&scene, "file.glb",
-                                    &(struct gltf_parts){
-                                        .buffers = "[{\"byteLength\": 60, \"uri\": \"long.bin\"}]",
-                                        .views = "[{\"buffer\": 0, \"byteLength\": 60}]"}));
+                                    &PARTS(.buffers = "[{byteLength: 60, uri: 'long.bin'}]",
+                                           .views = "[{buffer: 0, byteLength: 60}]")));
         printf("    a file of %zu bytes for 60\n", size);
         assert_int_equal(scene.file_count, 1);
         assert_false(scene_check_output(&scene, scratch("long.bin")));
@@ -337,19 +333,17 @@ TEST(pointers) {
     static const char pointer[] =
         "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 9\n";
     static const char *const parts[][3] = {
-        {"[{\"byteLength\": 320, \"uri\": \"lfs\"}]", NULL, NULL},
-        {NULL, "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-         PICTURE("lfs")},
-        {NULL, NULL, "\"scenes\": [{\"nodes\": [0], \"extras\": {\"environment\": \"lfs\"}}],"},
+        {"[{byteLength: 320, uri: lfs}]", NULL, NULL},
+        {NULL, "[{pbrMetallicRoughness: {baseColorTexture: {index: 0}}}]", PICTURE("lfs")},
+        {NULL, NULL, "scenes: [{nodes: [0], extras: {environment: lfs}}],"},
     };
     write_bytes(scratch("lfs"), pointer, sizeof pointer - 1);
     check_ok("strict", read_rules_set(true, NULL));
     for (int i = 0; i < 3; i++) {
         struct scene scene;
         check_refused(load_parts(&scene, "pointers.glb",
-                                 &(struct gltf_parts){.buffers = parts[i][0],
-                                                      .materials = parts[i][1],
-                                                      .more = parts[i][2]}),
+                                 &PARTS(.buffers = parts[i][0], .materials = parts[i][1],
+                                        .more = parts[i][2])),
                       "");
         assert_non_null(strstr(error_get(), "lfs: a Git LFS pointer; git lfs pull fetches"));
     }
@@ -383,11 +377,10 @@ TEST(options) {
 /* A scene without triangles is told, and not drawn. */
 TEST(empty_scenes) {
     const char *points = write_parts(
-        "points.glb", &(struct gltf_parts){
-                          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                    " \"mode\": 0}, {\"attributes\": {\"POSITION\": 0}, \"mode\":"
-                                    " 1}, {\"attributes\": {\"POSITION\": 0}, \"mode\": 3}]}]",
-                          .more = SPOT("", "")});
+        "points.glb",
+        &PARTS(.meshes = "[{primitives: [{attributes: {POSITION: 0}, mode: 0}, {attributes: "
+                         "{POSITION: 0}, mode: 1}, {attributes: {POSITION: 0}, mode: 3}]}]",
+               .more = SPOT("", "")));
     assert_int_equal(run("info", points), 0);
     expect_text("points     primitives 1, not drawn");
     expect_text("lines      primitives 2, not drawn");
@@ -396,11 +389,9 @@ TEST(empty_scenes) {
     expect_text("there is no triangle, and points and lines are not drawn");
     const char *camera = write_parts(
         "camera.glb",
-        &(struct gltf_parts){
-            .nodes =
-                "[{\"camera\": 0}, {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-            .more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1,"
-                    " \"znear\": 1}}]," SPOT("", "")});
+        &PARTS(.nodes = "[{camera: 0}, {extensions: {KHR_lights_punctual: {light: 0}}}]",
+               .more = "cameras: [{type: perspective, perspective: {yfov: 1, znear: 1}}]," SPOT(
+                   "", "")));
     assert_int_equal(run("info", camera), 0);
     expect_text("lights     1");
     expect_text("cameras    1");

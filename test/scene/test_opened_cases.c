@@ -79,21 +79,19 @@ TEST(pictures) {
 }
 
 #define QUAD(material)                                                                             \
-    "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, "                       \
-    "\"material\": " material "}]}"
-#define NODE(mesh) "{\"rotation\": [0.18, 0.24, 0, 0.9539392], \"mesh\": " mesh "}"
+    "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: " material "}]}"
+#define NODE(mesh) "{rotation: [0.18, 0.24, 0, 0.9539392], mesh: " mesh "}"
 #define COLOUR(rgb)                                                                                \
-    "{\"doubleSided\": true, \"pbrMetallicRoughness\": {\"metallicFactor\": 0, "                   \
-    "\"baseColorFactor\": [" rgb ", 1]}}"
+    "{doubleSided: true, pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: [" rgb ", "    \
+                                                                                           "1]}}"
 
 /* Of two surfaces at one depth the later material shows, in frames and references. */
 TEST(coplanar) {
     static const char *const commands[] = {"render --quality draft", "reference --spp 1"};
     const char *path = write_parts(
         "decal.glb",
-        &(struct gltf_parts){.meshes = "[" QUAD("0") "," QUAD("1") "]",
-                             .nodes = "[" NODE("0") "," NODE("1") "]",
-                             .materials = "[" COLOUR("1, 0, 0") "," COLOUR("0, 1, 0") "]"});
+        &PARTS(.meshes = "[" QUAD("0") "," QUAD("1") "]", .nodes = "[" NODE("0") "," NODE("1") "]",
+               .materials = "[" COLOUR("1, 0, 0") "," COLOUR("0, 1, 0") "]"));
     for (int i = 0; i < 2; i++) {
         OWNED(image) image;
         if (run_program("%s %s --size 32x32 -o %s", commands[i], path, scratch("decal.exr")) != 0)

@@ -31,7 +31,7 @@ static struct packed_quad pack_quad(void) {
     return quad;
 }
 
-#define MARK ", \"extensions\": {\"EXT_meshopt_compression\": {\"fallback\": true}}"
+#define MARK ", extensions: {EXT_meshopt_compression: {fallback: true}}"
 
 /* Its views lie in a buffer that is not there, with the mark of that or without; `count` vertices
  * are said to be packed. */
@@ -39,29 +39,21 @@ static bool load_marked(struct scene *scene, const struct packed_quad *quad, int
                         const char *mark) {
     const char *extension = quad->extension ? quad->extension : "EXT_meshopt_compression";
     char buffers[256], required[64];
-    snprintf(buffers, sizeof buffers, "[{\"byteLength\": 320}, {\"byteLength\": 60%s}]", mark);
+    snprintf(buffers, sizeof buffers, "[{byteLength: 320}, {byteLength: 60%s}]", mark);
     char views[1024];
     snprintf(views, sizeof views,
-             "[{\"buffer\": 1, \"byteLength\": 48, \"extensions\": {\"%s\":"
-             " {\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu, \"byteStride\": 12,"
-             " \"count\": %d, \"mode\": \"ATTRIBUTES\"}}},"
-             " {\"buffer\": 1, \"byteOffset\": 48, \"byteLength\": 12, \"extensions\": {\"%s\":"
-             " {\"buffer\": 0, \"byteOffset\": %d, \"byteLength\": %zu,"
-             " \"byteStride\": 2, \"count\": 6, \"mode\": \"TRIANGLES\"}}}]",
+             "[{buffer: 1, byteLength: 48, extensions: {'%s': {buffer: 0, byteOffset: 64, "
+             "byteLength: %zu, byteStride: 12, count: %d, mode: ATTRIBUTES}}}, {buffer: 1, "
+             "byteOffset: 48, byteLength: 12, extensions: {'%s': {buffer: 0, byteOffset: %d, "
+             "byteLength: %zu, byteStride: 2, count: 6, mode: TRIANGLES}}}]",
              extension, quad->vertices, count, extension, 64 + PACKED_INDICES_AT, quad->indices);
-    snprintf(required, sizeof required, "\"extensionsRequired\": [\"%s\"],", extension);
+    snprintf(required, sizeof required, "extensionsRequired: ['%s'],", extension);
     return load_parts(
         scene, "meshopt.glb",
-        &(struct gltf_parts){
-            .buffers = buffers,
-            .views = views,
-            .accessors =
-                "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                " {\"bufferView\": 1, \"componentType\": 5123, \"count\": 6, \"type\":"
-                " \"SCALAR\"}]",
-            .more = required,
-            .extra = quad->bytes,
-            .extra_size = sizeof quad->bytes});
+        &PARTS(.buffers = buffers, .views = views,
+               .accessors = "[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, "
+                            "{bufferView: 1, componentType: 5123, count: 6, type: SCALAR}]",
+               .more = required, .extra = quad->bytes, .extra_size = sizeof quad->bytes));
 }
 
 static bool load_quad(struct scene *scene, const struct packed_quad *quad, int count) {
@@ -84,8 +76,8 @@ TEST(meshopt) {
     assert_int_equal(scene.file_count, 0);
     scene_free(&scene);
     /* The mark is optional. */
-    static const char *const marks[] = {"", ", \"extensions\": {\"EXT_meshopt_compression\": {}}",
-                                        ", \"extras\": 1"};
+    static const char *const marks[] = {"", ", extensions: {EXT_meshopt_compression: {}}",
+                                        ", extras: 1"};
     for (int i = 0; i < 3; i++) {
         check_ok(marks[i], load_marked(&scene, &quad, 4, marks[i]));
         check_quad(&scene.meshes[0].primitives[0]);
@@ -247,13 +239,12 @@ TEST(sizes) {
 /* Room for what a file says it unpacks to counts against what the scene may take. */
 TEST(endless) {
     struct scene scene;
-    bool loaded =
-        load_parts(&scene, "endless.glb",
-                   &(struct gltf_parts){
-                       .buffers = "[{\"byteLength\": 320}, {\"byteLength\": 100000000000}]",
-                       .views = "[{\"buffer\": 1, \"byteLength\": 48, \"extensions\":"
-                                " {\"EXT_meshopt_compression\": {\"buffer\": 0, \"byteLength\": 64,"
-                                " \"byteStride\": 12, \"count\": 4, \"mode\": \"ATTRIBUTES\"}}}]"});
+    bool loaded = load_parts(
+        &scene, "endless.glb",
+        &PARTS(.buffers = "[{byteLength: 320}, {byteLength: 100000000000}]",
+               .views =
+                   "[{buffer: 1, byteLength: 48, extensions: {EXT_meshopt_compression: {buffer: 0, "
+                   "byteLength: 64, byteStride: 12, count: 4, mode: ATTRIBUTES}}}]"));
     check_refused(loaded, "buffer 1: 95367.4 MiB of memory are wanted");
 }
 
@@ -273,21 +264,18 @@ static const unsigned char sequential[] = {
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x40, 0x40, 0x0e};
 
 static bool load_draco(struct scene *scene, const unsigned char *bytes, size_t size, int indices) {
-    const char *views = form("[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]", size);
-    const char *accessors = form("[{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                                 " {\"componentType\": 5121, \"count\": %d, \"type\": \"SCALAR\"}]",
+    const char *views = form("[{buffer: 0, byteOffset: 64, byteLength: %zu}]", size);
+    const char *accessors = form("[{componentType: 5126, count: 4, type: VEC3}, {componentType: "
+                                 "5121, count: %d, type: SCALAR}]",
                                  indices);
     return load_parts(
         scene, "draco.glb",
-        &(struct gltf_parts){
-            .views = views,
-            .accessors = accessors,
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                      " \"extensions\": {\"KHR_draco_mesh_compression\": {\"bufferView\": 0,"
-                      " \"attributes\": {\"POSITION\": 0}}}}]}]",
-            .more = "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],",
-            .extra = bytes,
-            .extra_size = size});
+        &PARTS(.views = views, .accessors = accessors,
+               .meshes =
+                   "[{primitives: [{attributes: {POSITION: 0}, indices: 1, extensions: "
+                   "{KHR_draco_mesh_compression: {bufferView: 0, attributes: {POSITION: 0}}}}]}]",
+               .more = "extensionsRequired: [KHR_draco_mesh_compression],", .extra = bytes,
+               .extra_size = size));
 }
 
 /* The two triangles may begin at any of their corners. */
@@ -368,22 +356,16 @@ TEST(draco_header) {
 }
 
 static bool load_draco_with(struct scene *scene, const char *accessors, const char *primitive) {
-    const char *views =
-        form("[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]", sizeof edgebreaker);
-    return load_parts(
-        scene, "draco.glb",
-        &(struct gltf_parts){.views = views,
-                             .accessors = accessors,
-                             .meshes = primitive,
-                             .more = "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],",
-                             .extra = edgebreaker,
-                             .extra_size = sizeof edgebreaker});
+    const char *views = form("[{buffer: 0, byteOffset: 64, byteLength: %zu}]", sizeof edgebreaker);
+    return load_parts(scene, "draco.glb",
+                      &PARTS(.views = views, .accessors = accessors, .meshes = primitive,
+                             .more = "extensionsRequired: [KHR_draco_mesh_compression],",
+                             EXTRA(edgebreaker)));
 }
 
 #define DRACO(names)                                                                               \
-    "\"extensions\": {\"KHR_draco_mesh_compression\": {\"bufferView\": 0, \"attributes\": {" names \
-    "}}}"
-#define CORNERS "{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}"
+    "extensions: {KHR_draco_mesh_compression: {bufferView: 0, attributes: {" names "}}}"
+#define CORNERS "{componentType: 5126, count: 4, type: VEC3}"
 
 static void check_opens(const char *what, bool opened, struct scene *scene) {
     check_ok(what, opened);
@@ -393,39 +375,35 @@ static void check_opens(const char *what, bool opened, struct scene *scene) {
 
 /* What the data hold counts, whatever the accessors say; there need be no indices. */
 TEST(draco_and_file) {
-    static const char accessors[] =
-        "[" CORNERS ", {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
-    static const char fewer[] = "[{\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"},"
-                                " {\"componentType\": 5121, \"count\": 300, \"type\": \"SCALAR\"}]";
+    static const char accessors[] = "[" CORNERS ", {componentType: 5121, count: 6, type: SCALAR}]";
+    static const char fewer[] = "[{componentType: 5126, count: 3, type: VEC3}, {componentType: "
+                                "5121, count: 300, type: SCALAR}]";
     static const char plain[] =
-        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
-        " 1, " DRACO("\"POSITION\": 0") "}]}]";
+        "[{primitives: [{attributes: {POSITION: 0}, indices: 1, " DRACO("POSITION: 0") "}]}]";
     OWNED(scene) scene;
-    check_opens("no indices",
-                load_draco_with(&scene, accessors,
-                                "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, " DRACO(
-                                    "\"POSITION\": 0") "}]}]"),
-                &scene);
+    check_opens(
+        "no indices",
+        load_draco_with(&scene, accessors,
+                        "[{primitives: [{attributes: {POSITION: 0}, " DRACO("POSITION: 0") "}]}]"),
+        &scene);
     check_opens("other counts", load_draco_with(&scene, fewer, plain), &scene);
     check_ok("strict", read_rules_set(true, NULL));
     check_refused(load_draco_with(&scene, fewer, plain),
                   "mesh 0: primitive 0: POSITION: 4, not 3 (accessors of another count");
     check_ok("not strict", read_rules_set(false, NULL));
-    check_refused(load_draco_with(
-                      &scene, accessors,
-                      "[{\"primitives\": [{\"mode\": 5, \"attributes\": {\"POSITION\": 0}, " DRACO(
-                          "\"POSITION\": 0") "}]}]"),
+    check_refused(load_draco_with(&scene, accessors,
+                                  "[{primitives: [{mode: 5, attributes: {POSITION: 0}, " DRACO(
+                                      "POSITION: 0") "}]}]"),
                   "it has no triangles");
-    check_refused(
-        load_draco_with(&scene, accessors,
-                        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
-                        " 1, " DRACO("\"POSITION\": 7") "}]}]"),
-        "POSITION: there is no attribute 7");
+    check_refused(load_draco_with(&scene, accessors,
+                                  "[{primitives: [{attributes: {POSITION: 0}, indices: 1, " DRACO(
+                                      "POSITION: 7") "}]}]"),
+                  "POSITION: there is no attribute 7");
     /* A name that the primitive does not have is nobody's. */
     check_ok("another name",
              load_draco_with(&scene, accessors,
-                             "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
-                             " 1, " DRACO("\"POSITION\": 0, \"NORMAL\": 0") "}]}]"));
+                             "[{primitives: [{attributes: {POSITION: 0}, indices: 1, " DRACO(
+                                 "POSITION: 0, NORMAL: 0") "}]}]"));
 }
 
 TEST(bad_draco) {

@@ -16,9 +16,9 @@ struct keys {
 };
 
 #define TARGET(pointer)                                                                            \
-    "{\"sampler\": 0, \"target\": {\"path\": \"pointer\", \"extensions\":"                         \
-    " {\"KHR_animation_pointer\": {\"pointer\": \"" pointer "\"}}}}"
-#define NODE_TARGET "{\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"translation\"}}"
+    "{sampler: 0, target: {path: pointer, extensions: {KHR_animation_pointer: {pointer: '" pointer \
+    "'}}}}"
+#define NODE_TARGET "{sampler: 0, target: {node: 0, path: translation}}"
 
 /* A white square before a wall, an unlit one beside them, a spot, a disk, a perspective camera and
  * a flat one. */
@@ -28,43 +28,33 @@ static const char *write_clip(const char *channels, const float *values, int wid
     struct keys keys = {.times = {0, 2}};
     memcpy(keys.values, values, 2 * (size_t)width * sizeof *values);
     snprintf(accessors, sizeof accessors,
-             "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-             " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-             " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
-             " 5126, \"count\": 2, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 72,"
-             " \"componentType\": 5126, \"count\": 2, \"type\": \"%s\"}]",
+             "[" PARTS_QUAD
+             ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 2, type: SCALAR}, "
+             "{bufferView: 0, byteOffset: 72, componentType: 5126, count: 2, type: '%s'}]",
              types[width]);
     snprintf(more, sizeof more,
-             "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\":"
-             " 0.1, \"zfar\": 9}}, {\"type\": \"orthographic\", \"orthographic\": {\"xmag\": 1,"
-             " \"ymag\": 1, \"znear\": 0.1, \"zfar\": 9}}], \"extensions\":"
-             " {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\", \"intensity\": 3,"
-             " \"range\": 9, \"spot\": {\"innerConeAngle\": 0.2, \"outerConeAngle\": 0.9}}]},"
-             " \"EXT_lights_area\": {\"lights\": [{\"type\": \"disk\", \"intensity\": 2,"
-             " \"size\": 0.5}]}}, \"animations\": [{\"name\": \"first\", \"samplers\": [{\"input\":"
-             " 2, \"output\": 3}], \"channels\": [%s]}],",
+             "cameras: [{type: perspective, perspective: {yfov: 1, znear: 0.1, zfar: 9}}, {type: "
+             "orthographic, orthographic: {xmag: 1, ymag: 1, znear: 0.1, zfar: 9}}], extensions: "
+             "{KHR_lights_punctual: {lights: [{type: spot, intensity: 3, range: 9, spot: "
+             "{innerConeAngle: 0.2, outerConeAngle: 0.9}}]}, EXT_lights_area: {lights: [{type: "
+             "disk, intensity: 2, size: 0.5}]}}, animations: [{name: first, samplers: [{input: 2, "
+             "output: 3}], channels: [%s]}],",
              channels);
     return write_parts(
         "pointers.glb",
-        &(struct gltf_parts){
-            .accessors = accessors,
-            .more = more,
-            .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
-                         " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}, \"extensions\":"
-                         " {\"KHR_materials_unlit\": {}}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                      " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                      " \"indices\": 1, \"material\": 1}]}]",
-            .nodes =
-                "[{\"mesh\": 0}, {\"camera\": 0, \"translation\": [0.9, 0.5, 2]}, {\"camera\": 1,"
-                " \"translation\": [0.5, 0.5, 2]}, {\"translation\": [0.5, 0.5, 3],"
-                " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}, {\"translation\":"
-                " [0.5, 0.5, 3], \"extensions\": {\"EXT_lights_area\": {\"light\": 0}}},"
-                " {\"mesh\": 1, \"translation\": [1.2, 0, 0.5]}, {\"mesh\": 0, \"translation\":"
-                " [0, 0, 1], \"rotation\": [0, 0.70710678, 0, 0.70710678]}, {\"mesh\": 0,"
-                " \"extensions\": {\"KHR_node_visibility\": {\"visible\": false}}}]",
-            .extra = &keys,
-            .extra_size = sizeof keys});
+        &PARTS(.accessors = accessors, .more = more,
+               .materials = "[{pbrMetallicRoughness: {metallicFactor: 0}}, {pbrMetallicRoughness: "
+                            "{metallicFactor: 0}, extensions: {KHR_materials_unlit: {}}}]",
+               .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
+                         "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1}]}]",
+               .nodes =
+                   "[{mesh: 0}, {camera: 0, translation: [0.9, 0.5, 2]}, {camera: 1, translation: "
+                   "[0.5, 0.5, 2]}, {translation: [0.5, 0.5, 3], extensions: {KHR_lights_punctual: "
+                   "{light: 0}}}, {translation: [0.5, 0.5, 3], extensions: {EXT_lights_area: "
+                   "{light: 0}}}, {mesh: 1, translation: [1.2, 0, 0.5]}, {mesh: 0, translation: "
+                   "[0, 0, 1], rotation: [0, 0.70710678, 0, 0.70710678]}, {mesh: 0, extensions: "
+                   "{KHR_node_visibility: {visible: false}}}]",
+               EXTRA(keys)));
 }
 
 /* --- numbers ---------------------------------------------------------------------------------- */
@@ -152,20 +142,16 @@ TEST(punctual_scale) {
     stage_free(&stage);
     for (int i = 0; i < 12; i++) {
         static const char *const generators[] = {"v3.3.32", "v3.6.6", "v4.2.1"};
-        static const char *const extras[] = {"", ", \"extras\": {\"punctual_scale\": 0.25}"};
+        static const char *const extras[] = {"", ", extras: {punctual_scale: 0.25}"};
         bool emits = i / 6;
-        const char *asset =
-            form("{\"version\": \"2.0\", \"generator\": \"Khronos glTF Blender I/O %s\"%s}",
-                 generators[i % 3], extras[i / 3 % 2]);
+        const char *asset = form("{version: '2.0', generator: 'Khronos glTF Blender I/O %s'%s}",
+                                 generators[i % 3], extras[i / 3 % 2]);
         desc.path = write_parts(
             "blender.glb",
-            &(struct gltf_parts){
-                .asset = asset,
-                .materials = emits ? "[{\"emissiveFactor\": [1, 1, 1]}]" : NULL,
-                .nodes = "[{\"mesh\": 0}, {\"extensions\": {\"KHR_lights_punctual\":"
-                         " {\"light\": 0}}}]",
-                .more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
-                        " \"point\", \"intensity\": 8}]}},"});
+            &PARTS(.asset = asset, .materials = emits ? "[{emissiveFactor: [1, 1, 1]}]" : NULL,
+                   .nodes = "[{mesh: 0}, {extensions: {KHR_lights_punctual: {light: 0}}}]",
+                   .more = "extensions: {KHR_lights_punctual: {lights: [{type: point, intensity: "
+                           "8}]}},"));
         desc.punctual_scale = 1;
         hear_notes();
         check_ok("open", stage_init(&stage, &desc));

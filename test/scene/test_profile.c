@@ -146,36 +146,26 @@ TEST(files) {
 /* --- scenes ----------------------------------------------------------------------------------- */
 
 #define SCALAR_AT(offset)                                                                          \
-    "{\"bufferView\": 0, \"byteOffset\": " #offset                                                 \
-    ", \"componentType\": 5126, \"count\": 1, \"type\": \"SCALAR\"}"
-#define PARTS_CLIP                                                                                 \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\":"    \
-    " \"SCALAR\"}, " SCALAR_AT(64) ", " SCALAR_AT(68) "]"
-#define PUNCTUAL "{\"KHR_lights_punctual\": {\"light\": 0}}"
-#define LIGHT(more) "{\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\"" more "}]}}"
+    "{bufferView: 0, byteOffset: " #offset ", componentType: 5126, count: 1, type: SCALAR}"
+#define PARTS_CLIP "[" PARTS_QUAD ", " SCALAR_AT(64) ", " SCALAR_AT(68) "]"
+#define PUNCTUAL "{KHR_lights_punctual: {light: 0}}"
+#define LIGHT(more) "{KHR_lights_punctual: {lights: [{type: point" more "}]}}"
 
 /* A floor of 12 m and a wall, of that albedo, and a light 3 m above the floor that looks down.
  * light, lights: extensions of its node and of the file. A clip has the time 0 and the value 3. */
 static void write_scene(const char *name, const char *light, const char *lights, double albedo) {
     static const float clip[] = {0, 3};
-    const char *materials =
-        form("[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"
-             " [%g, %g, %g, 1]}, \"doubleSided\": true}]",
-             albedo, albedo, albedo);
+    const char *materials = form("[{pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: "
+                                 "[%g, %g, %g, 1]}, doubleSided: true}]",
+                                 albedo, albedo, albedo);
     const char *nodes =
-        form("[{\"mesh\": 0, \"matrix\": [12,0,0,0, 0,0,-12,0, 0,12,0,0, -6,0,6,1]},"
-             " {\"mesh\": 0, \"matrix\": [12,0,0,0, 0,12,0,0, 0,0,12,0, -6,0,-2,1]},"
-             " {\"translation\": [0, 3, 0], \"rotation\": [-0.70710678, 0, 0, 0.70710678],"
-             " \"extensions\": %s}]",
+        form("[{mesh: 0, matrix: [12,0,0,0, 0,0,-12,0, 0,12,0,0, -6,0,6,1]}, {mesh: 0, matrix: "
+             "[12,0,0,0, 0,12,0,0, 0,0,12,0, -6,0,-2,1]}, {translation: [0, 3, 0], rotation: "
+             "[-0.70710678, 0, 0, 0.70710678], extensions: %s}]",
              light);
-    const char *more = form("\"extensions\": %s,", lights);
-    write_parts(name, &(struct gltf_parts){.accessors = PARTS_CLIP,
-                                           .materials = materials,
-                                           .nodes = nodes,
-                                           .more = more,
-                                           .extra = clip,
-                                           .extra_size = sizeof clip});
+    const char *more = form("extensions: %s,", lights);
+    write_parts(name, &PARTS(.accessors = PARTS_CLIP, .materials = materials, .nodes = nodes,
+                             .more = more, EXTRA(clip)));
 }
 
 static void write_profile(const char *name, int f) {
@@ -197,30 +187,19 @@ TEST(cosine) {
     write_text(scratch("cosine.ies"), text.data);
     free(text.data);
     write_text(scratch("cosine.csv"), "0,0,0,0,1,0\n1,0,0,0,1,0\n1.5,0,1.5,0,1,0\n");
-    write_scene(
-        "ies.glb",
-        "{\"EXT_lights_ies\": {\"light\": 0, \"multiplier\": 2, \"color\": [0.5, 0.5, 0.5]}}",
-        "{\"EXT_lights_ies\": {\"lights\": [{\"uri\": \"cosine.ies\"}]}}", 0);
+    write_scene("ies.glb", "{EXT_lights_ies: {light: 0, multiplier: 2, color: [0.5, 0.5, 0.5]}}",
+                "{EXT_lights_ies: {lights: [{uri: 'cosine.ies'}]}}", 0);
     write_scene(
         "clip.glb", PUNCTUAL,
         LIGHT(
-            ", \"intensity\": 1.5, \"extras\": {\"profile\": \"cosine.ies\"}") ", \"animations\": "
-                                                                               "[{\"samplers\": "
-                                                                               "[{\"input\": 2, "
-                                                                               "\"output\": 3}],"
-                                                                               " \"channels\": "
-                                                                               "[{\"sampler\": 0, "
-                                                                               "\"target\": "
-                                                                               "{\"path\": "
-                                                                               "\"pointer\","
-                                                                               " \"extensions\": "
-                                                                               "{\"KHR_animation_"
-                                                                               "pointer\": "
-                                                                               "{\"pointer\":"
-                                                                               " \"/extensions/"
-                                                                               "KHR_lights_"
-                                                                               "punctual/lights/0/"
-                                                                               "intensity\"}}}}]}]",
+            ", intensity: 1.5, extras: {profile: 'cosine.ies'}") ", animations: [{samplers: "
+                                                                 "[{input: 2, output: 3}], "
+                                                                 "channels: [{sampler: 0, target: "
+                                                                 "{path: pointer, extensions: "
+                                                                 "{KHR_animation_pointer: "
+                                                                 "{pointer: "
+                                                                 "'/extensions/KHR_lights_punctual/"
+                                                                 "lights/0/intensity'}}}}]}]",
         0);
     static const char *const lines[] = {
         "% probe @/clip.glb @/cosine.csv --bounces 0 -q --punctual-scale .3333333",
@@ -249,11 +228,12 @@ TEST(constant) {
         "render %s --size 32x24 -o %s --set lights.bounces=2 --set medium.scatter=.1",
         "reference %s --size 32x24 -o %s --spp 4 --bounces 2",
     };
-    write_scene("even.glb", PUNCTUAL,
-                LIGHT(", \"extras\": {\"profile\": \"data:,TILT=NONE%0A1 -1 1 2 1 1 2 0 0 0 1 1 9"
-                      " 0 180 0 100 100\"}"),
-                .7);
-    write_scene("point.glb", PUNCTUAL, LIGHT(", \"intensity\": 100"), .7);
+    write_scene(
+        "even.glb", PUNCTUAL,
+        LIGHT(
+            ", extras: {profile: 'data:,TILT=NONE%0A1 -1 1 2 1 1 2 0 0 0 1 1 9 0 180 0 100 100'}"),
+        .7);
+    write_scene("point.glb", PUNCTUAL, LIGHT(", intensity: 100"), .7);
     for (size_t i = 0; i < sizeof draws / sizeof *draws; i++) {
         char line[512];
         if (!is_tried_here(i, 2))
@@ -271,10 +251,8 @@ TEST(constant) {
 TEST(turned) {
     write_profile("whole.ies", WHOLE);
     write_profile("around.ies", 0);
-    write_scene("whole.glb", "{\"EXT_lights_ies\": {\"light\": 1}}",
-                "{\"EXT_lights_ies\": {\"lights\": [{\"uri\": \"around.ies\"},"
-                " {\"uri\": \"whole.ies\"}]}}",
-                .7);
+    write_scene("whole.glb", "{EXT_lights_ies: {light: 1}}",
+                "{EXT_lights_ies: {lights: [{uri: 'around.ies'}, {uri: 'whole.ies'}]}}", .7);
     expect_command(0, "render", "@/whole.glb --size 48x36 -q -o @/frame.exr --set samples=1");
     expect_command(0, "reference",
                    "@/whole.glb --size 48x36 -q -o @/traced.exr --spp 64 --centers");
@@ -318,20 +296,20 @@ TEST(broken_files) {
 }
 
 TEST(refusals) {
-    static const char ies[] = "{\"EXT_lights_ies\": {\"light\": 0}}";
+    static const char ies[] = "{EXT_lights_ies: {light: 0}}";
     static const struct {
         const char *light, *lights, *says;
     } rows[] = {
-        {PUNCTUAL, LIGHT(", \"extras\": {\"profile\": \"none.ies\"}"),
+        {PUNCTUAL, LIGHT(", extras: {profile: 'none.ies'}"),
          "light 0: extras: profile: cannot open"},
-        {PUNCTUAL, LIGHT(", \"extras\": {\"profile\": 7}"), "profile: it is no file's name"},
-        {PUNCTUAL, LIGHT(", \"extras\": {\"profile\": \"cut.ies\", \"radius\": 1}"),
+        {PUNCTUAL, LIGHT(", extras: {profile: 7}"), "profile: it is no file's name"},
+        {PUNCTUAL, LIGHT(", extras: {profile: 'cut.ies', radius: 1}"),
          "only a point light without"},
-        {PUNCTUAL, LIGHT(", \"extras\": {\"profile\": \"cut.ies\"}"),
+        {PUNCTUAL, LIGHT(", extras: {profile: 'cut.ies'}"),
          "light 0: extras: profile: cut.ies: line 2: the file ends before"},
-        {ies, "{\"EXT_lights_ies\": {\"lights\": [{\"name\": \"a\"}]}}",
+        {ies, "{EXT_lights_ies: {lights: [{name: a}]}}",
          "light profile 0: neither uri nor bufferView"},
-        {ies, "{\"EXT_lights_ies\": {\"lights\": [{\"bufferView\": 0}]}}",
+        {ies, "{EXT_lights_ies: {lights: [{bufferView: 0}]}}",
          "light profile 0: buffer view 0: EULUMDAT"},
     };
     write_text(scratch("cut.ies"), "TILT=NONE\n1 1 1 2 1 1");

@@ -17,31 +17,27 @@ enum { SIZE = 48 };
 
 /* --- lights ----------------------------------------------------------------------------------- */
 
-#define LIGHT(place)                                                                               \
-    "{\"translation\": " place ", \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}"
+#define LIGHT(place) "{translation: " place ", extensions: {KHR_lights_punctual: {light: 0}}}"
 
 /* A white square of 2 m below a light at 2 m; the camera at 5 m. */
 static void open_square(struct stage *stage, const char *light, const char *more_nodes) {
-    const char *more =
-        form("\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 0.2, \"znear\":"
-             " 0.1}}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\": [%s]}},",
-             light);
-    const char *nodes =
-        form("[{\"mesh\": 0, \"scale\": [2, 2, 2], \"translation\": [-1, -1, 0]},"
-             "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 2]") "%s]",
-             more_nodes);
-    *stage =
-        open_stage(write_parts("square.glb", &(struct gltf_parts){.nodes = nodes, .more = more}));
+    const char *more = form("cameras: [{type: perspective, perspective: {yfov: 0.2, znear: 0.1}}], "
+                            "extensions: {KHR_lights_punctual: {lights: [%s]}},",
+                            light);
+    const char *nodes = form("[{mesh: 0, scale: [2, 2, 2], translation: [-1, -1, 0]},{camera: 0, "
+                             "translation: [0, 0, 5]}," LIGHT("[0, 0, 2]") "%s]",
+                             more_nodes);
+    *stage = open_stage(write_parts("square.glb", &PARTS(.nodes = nodes, .more = more)));
 }
 
 static double at_middle(const struct image *image, const char *channel) {
     return (double)image_at(image, SIZE / 2, SIZE / 2)[image_find_channel(image, channel)];
 }
 
-#define POINT(range) "{\"type\": \"point\", \"intensity\": 12.566370614, \"range\": " range "}"
+#define POINT(range) "{type: point, intensity: 12.566370614, range: " range "}"
 #define SPOT(range)                                                                                \
-    "{\"type\": \"spot\", \"intensity\": 12.566370614, \"range\": " range                          \
-    ", \"spot\": {\"innerConeAngle\": 0.5, \"outerConeAngle\": 0.7}}"
+    "{type: spot, intensity: 12.566370614, range: " range                                          \
+    ", spot: {innerConeAngle: 0.5, outerConeAngle: 0.7}}"
 
 /* By KHR_lights_punctual, 1 - (2 / range)^4 of the light arrives. */
 TEST(light) {
@@ -58,7 +54,7 @@ TEST(light) {
         {SPOT("4"), "", .9375},
         {POINT("4"), "," LIGHT("[0, 0, 1]"), .9375 + 4 * (1 - 1 / 256.)},
         {POINT("1e-30"), "", 0},
-        {"{\"type\": \"directional\", \"intensity\": 3.14159265, \"range\": 1}", "", 1},
+        {"{type: directional, intensity: 3.14159265, range: 1}", "", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(stage) stage;
@@ -99,23 +95,17 @@ static void open_room(struct stage *stage, const char *range) {
     for (int f = 0; f < 6; f++)
         for (int k = 0; k < 6; k++)
             cube.inwards[f * 6 + k] = faces[f][k < 3 ? k : k == 3 ? 0 : k - 2];
-    snprintf(
-        more, sizeof more,
-        "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1.5, \"znear\":"
-        " 0.01}}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\": [" POINT("%s") "]}},",
-        range);
+    snprintf(more, sizeof more,
+             "cameras: [{type: perspective, perspective: {yfov: 1.5, znear: 0.01}}], extensions: "
+             "{KHR_lights_punctual: {lights: [" POINT("%s") "]}},",
+             range);
     *stage = open_stage(write_parts(
         "room.glb",
-        &(struct gltf_parts){
-            .accessors = "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"
-                         " \"count\": 8, \"type\": \"VEC3\"},"
-                         " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121,"
-                         " \"count\": 36, \"type\": \"SCALAR\"}]",
-            .nodes = "[{\"mesh\": 0}, {\"camera\": 0, \"translation\": [0, 0, 0.9]}," LIGHT(
-                "[0, 0, 0]") "]",
-            .more = more,
-            .extra = &cube,
-            .extra_size = sizeof cube}));
+        &PARTS(.accessors = "[{bufferView: 0, byteOffset: 64, componentType: 5126, count: 8, type: "
+                            "VEC3}, {bufferView: 0, byteOffset: 160, componentType: 5121, count: "
+                            "36, type: SCALAR}]",
+               .nodes = "[{mesh: 0}, {camera: 0, translation: [0, 0, 0.9]}," LIGHT("[0, 0, 0]") "]",
+               .more = more, EXTRA(cube))));
 }
 
 /* Reflected light begins with what is left of it, in every technique. */
@@ -155,17 +145,16 @@ TEST(text) {
 /* Squares of 4 m at 5 m and of 1 m at 2 m of a camera of that kind. */
 static void open_squares(struct stage *stage, const char *kind, const char *range) {
     bool flat = strcmp(kind, "orthographic") == 0;
-    const char *more = form("\"cameras\": [{\"type\": \"%s\", \"%s\": {%s, %s}}],"
-                            "\"extensions\": {\"KHR_lights_punctual\": {\"lights\":"
-                            " [{\"type\": \"directional\", \"intensity\": 3.14159265}]}},",
-                            kind, kind, flat ? "\"xmag\": 1, \"ymag\": 1" : "\"yfov\": 0.6", range);
+    const char *more =
+        form("cameras: [{type: '%s', '%s': {%s, %s}}],extensions: {KHR_lights_punctual: {lights: "
+             "[{type: directional, intensity: 3.14159265}]}},",
+             kind, kind, flat ? "xmag: 1, ymag: 1" : "yfov: 0.6", range);
     *stage = open_stage(write_parts(
         "squares.glb",
-        &(struct gltf_parts){
-            .nodes = "[{\"mesh\": 0, \"scale\": [4, 4, 4], \"translation\": [-2, -2, 0]},"
-                     "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 3]},"
-                     "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 9]") "]",
-            .more = more}));
+        &PARTS(.nodes =
+                   "[{mesh: 0, scale: [4, 4, 4], translation: [-2, -2, 0]},{mesh: 0, translation: "
+                   "[-0.5, -0.5, 3]},{camera: 0, translation: [0, 0, 5]}," LIGHT("[0, 0, 9]") "]",
+               .more = more)));
 }
 
 /* Depths at the middle, and at a corner, 0 where nothing is. Light is not cut: the near square's
@@ -174,12 +163,11 @@ TEST(camera) {
     static const struct {
         const char *range;
         double middle, corner, direct;
-    } rows[] = {
-        {"\"znear\": 0.1, \"zfar\": 100", 2, 5, 1},  {"\"znear\": 0.1, \"zfar\": 0", 2, 5, 1},
-        {"\"znear\": 4, \"zfar\": 100", 5, 5, 0},    {"\"znear\": 2.5, \"zfar\": 5.5", 5, 5, 0},
-        {"\"znear\": 0.1, \"zfar\": 4", 2, 0, 1},    {"\"znear\": 3, \"zfar\": 4", 2, 5, 1},
-        {"\"znear\": 100, \"zfar\": 1000", 2, 5, 1}, {"\"znear\": 4, \"zfar\": 3", 5, 5, 0},
-        {"\"znear\": -9, \"zfar\": 4", 2, 0, 1}};
+    } rows[] = {{"znear: 0.1, zfar: 100", 2, 5, 1},  {"znear: 0.1, zfar: 0", 2, 5, 1},
+                {"znear: 4, zfar: 100", 5, 5, 0},    {"znear: 2.5, zfar: 5.5", 5, 5, 0},
+                {"znear: 0.1, zfar: 4", 2, 0, 1},    {"znear: 3, zfar: 4", 2, 5, 1},
+                {"znear: 100, zfar: 1000", 2, 5, 1}, {"znear: 4, zfar: 3", 5, 5, 0},
+                {"znear: -9, zfar: 4", 2, 0, 1}};
     static const char *const kinds[] = {"perspective", "orthographic"};
     for (int k = 0; k < 2; k++)
         for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -211,11 +199,11 @@ static void keep_note(const struct log_sink *sink, enum log_kind kind, const cha
 TEST(beyond) {
     static const struct {
         const char *range, *note;
-    } rows[] = {{"\"znear\": 0.1, \"zfar\": 4",
-                 "2 of 4 triangles in its view reach beyond its zfar of 4 m"},
-                {"\"znear\": 0.1, \"zfar\": 1.5", ""}, /* it sees nothing, so it sees all */
-                {"\"znear\": 0.1, \"zfar\": 100", ""},
-                {"\"znear\": 0.1", ""}};
+    } rows[] = {
+        {"znear: 0.1, zfar: 4", "2 of 4 triangles in its view reach beyond its zfar of 4 m"},
+        {"znear: 0.1, zfar: 1.5", ""}, /* it sees nothing, so it sees all */
+        {"znear: 0.1, zfar: 100", ""},
+        {"znear: 0.1", ""}};
     const struct log_sink sink = {keep_note};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(stage) stage;
@@ -232,7 +220,7 @@ TEST(beyond) {
 TEST(camera_text) {
     OWNED(stage) stage;
     char text[PLACING_TEXT_SIZE];
-    open_squares(&stage, "perspective", "\"znear\": 0.1, \"zfar\": 100");
+    open_squares(&stage, "perspective", "znear: 0.1, zfar: 100");
     check_ok("near=4", camera_from_text(&stage.camera, &stage.scene, "0 near=4", 0, NULL));
     camera_to_text(&stage.camera, &stage.scene, 0, 0, text);
     assert_string_equal(text, "0 near=4");

@@ -40,24 +40,24 @@ TEST(transformed_normals) {
         const char *nodes;
         float front; /* the front's z */
     } rows[] = {
-        {"[{\"mesh\": 0, \"scale\": [2, 3, 4]}]", 1},
-        {"[{\"mesh\": 0, \"scale\": [-1, 1, 1]}]", 1},
-        {"[{\"mesh\": 0, \"scale\": [1, 1, -1]}]", -1},
-        {"[{\"mesh\": 0, \"scale\": [-1, -1, -1]}]", -1},
-        {"[{\"mesh\": 0, \"scale\": [-1, -1, 1]}]", 1},
-        {"[{\"mesh\": 0, \"scale\": [1, 1, 0]}]", 1},
-        {"[{\"mesh\": 0, \"scale\": [1e-6, -1e-6, 1e-6]}]", 1},
-        {"[{\"scale\": [-1, 1, 1], \"children\": [1]}, {\"mesh\": 0, \"scale\": [1, -1, 1]}]", 1},
+        {"[{mesh: 0, scale: [2, 3, 4]}]", 1},
+        {"[{mesh: 0, scale: [-1, 1, 1]}]", 1},
+        {"[{mesh: 0, scale: [1, 1, -1]}]", -1},
+        {"[{mesh: 0, scale: [-1, -1, -1]}]", -1},
+        {"[{mesh: 0, scale: [-1, -1, 1]}]", 1},
+        {"[{mesh: 0, scale: [1, 1, 0]}]", 1},
+        {"[{mesh: 0, scale: [1e-6, -1e-6, 1e-6]}]", 1},
+        {"[{scale: [-1, 1, 1], children: [1]}, {mesh: 0, scale: [1, -1, 1]}]", 1},
         /* Sheared and squeezed after a turn about x: the inverse transpose matters. */
-        {"[{\"scale\": [1, 5, 0.2], \"children\": [1]},"
-         " {\"mesh\": 0, \"rotation\": [0.38268343, 0, 0, 0.92387953]}]",
+        {"[{scale: [1, 5, 0.2], children: [1]}, {mesh: 0, rotation: [0.38268343, 0, 0, "
+         "0.92387953]}]",
          1},
-        {"[{\"matrix\": [1,0,0,0, 1,1,0,0, 0,1,-1,0, 3,4,5,1], \"mesh\": 0}]", -1},
+        {"[{matrix: [1,0,0,0, 1,1,0,0, 0,1,-1,0, 3,4,5,1], mesh: 0}]", -1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;
         struct geometry geometry;
-        load(&scene, &geometry, &(struct gltf_parts){.nodes = rows[i].nodes});
+        load(&scene, &geometry, &PARTS(.nodes = rows[i].nodes));
         for (uint32_t t = 0; t < 2; t++) {
             vec3 front;
             winding_normal(&geometry, t, front);
@@ -75,14 +75,12 @@ TEST(batches) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry,
-         &(struct gltf_parts){
-             .materials = "[{\"alphaMode\": \"MASK\"}, {}, {\"name\": \"unused\"}, {}]",
-             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                       " \"material\": 3}, {\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                       " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
-                       " 0}, \"mode\": 5}, {\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                       " \"material\": 1}]}]",
-             .nodes = "[{\"mesh\": 0}, {\"mesh\": 1}, {\"mesh\": 0, \"translation\": [9, 0, 0]}]"});
+         &PARTS(.materials = "[{alphaMode: MASK}, {}, {name: unused}, {}]",
+                .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 3}, "
+                          "{attributes: {POSITION: 0}, indices: 1, material: 0}]}, {primitives: "
+                          "[{attributes: {POSITION: 0}, mode: 5}, {attributes: {POSITION: 0}, "
+                          "indices: 1, material: 1}]}]",
+                .nodes = "[{mesh: 0}, {mesh: 1}, {mesh: 0, translation: [9, 0, 0]}]"));
     static const struct {
         int material;
         uint32_t first, count;
@@ -116,17 +114,12 @@ TEST(bounds) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry,
-         &(struct gltf_parts){
-             .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\":"
-                          " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\":"
-                          " 5123, \"count\": 3, \"type\": \"SCALAR\"}, {\"bufferView\": 0,"
-                          " \"byteOffset\": 64, \"componentType\": 5126, \"count\": 4, \"type\":"
-                          " \"VEC3\"}]",
-             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
-                       " \"indices\": 1}]}]",
-             .nodes = "[{\"mesh\": 0, \"translation\": [-1, -1, 0]}]",
-             .extra = normals,
-             .extra_size = sizeof normals});
+         &PARTS(.accessors =
+                    "[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, {bufferView: 0, "
+                    "byteOffset: 48, componentType: 5123, count: 3, type: SCALAR}, {bufferView: 0, "
+                    "byteOffset: 64, componentType: 5126, count: 4, type: VEC3}]",
+                .meshes = "[{primitives: [{attributes: {POSITION: 0, NORMAL: 2}, indices: 1}]}]",
+                .nodes = "[{mesh: 0, translation: [-1, -1, 0]}]", EXTRA(normals)));
     assert_int_equal(geometry.vertex_count, 4);
     check_vector("least corner", geometry.bounds_min, -1, -1, 0, 0);
     check_vector("greatest corner", geometry.bounds_max, 0, 0, 0, 0);
@@ -134,29 +127,24 @@ TEST(bounds) {
 }
 
 static const char *const three_lights =
-    "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": ["
-    "{\"type\": \"point\", \"color\": [1, 0.5, 0.25], \"intensity\": 8,"
-    " \"range\": 5},"
-    "{\"name\": \"lamp\", \"type\": \"spot\", \"intensity\": 3, \"spot\": {\"innerConeAngle\": 0.3,"
-    " \"outerConeAngle\": 0.6}}, {\"type\": \"directional\"}]}},"
-    "\"cameras\": [{\"name\": \"wide\", \"type\": \"perspective\", \"perspective\": {\"yfov\": 1.5,"
-    " \"znear\": 0.1}}, {\"type\": \"orthographic\", \"orthographic\": {\"xmag\": 3, \"ymag\": 2,"
-    " \"znear\": 0, \"zfar\": 10}}],";
+    "extensions: {KHR_lights_punctual: {lights: [{type: point, color: [1, 0.5, 0.25], intensity: "
+    "8, range: 5},{name: lamp, type: spot, intensity: 3, spot: {innerConeAngle: 0.3, "
+    "outerConeAngle: 0.6}}, {type: directional}]}},cameras: [{name: wide, type: perspective, "
+    "perspective: {yfov: 1.5, znear: 0.1}}, {type: orthographic, orthographic: {xmag: 3, ymag: 2, "
+    "znear: 0, zfar: 10}}],";
 
 /* A node turned by 90 degrees about y: -Z becomes -X. Its scale must not matter. */
 static const char *const lit_nodes =
-    "[{\"mesh\": 0, \"translation\": [0, 0, -5]},"
-    " {\"name\": \"sun\", \"extensions\": {\"KHR_lights_punctual\": {\"light\": 2}}},"
-    " {\"name\": \"turned\", \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [2, 3, -4],"
-    " \"translation\": [1, 2, 3], \"children\": [3, 4]},"
-    " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}, \"scale\": [1, 1, -1]},"
-    " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
-    " {\"name\": \"eye\", \"camera\": 0}, {\"camera\": 1, \"translation\": [0, 0, 7]}]";
+    "[{mesh: 0, translation: [0, 0, -5]}, {name: sun, extensions: {KHR_lights_punctual: {light: "
+    "2}}}, {name: turned, rotation: [0, 0.70710678, 0, 0.70710678], scale: [2, 3, -4], "
+    "translation: [1, 2, 3], children: [3, 4]}, {extensions: {KHR_lights_punctual: {light: 1}}, "
+    "scale: [1, 1, -1]}, {extensions: {KHR_lights_punctual: {light: 0}}}, {name: eye, camera: 0}, "
+    "{camera: 1, translation: [0, 0, 7]}]";
 
 TEST(lights) {
     struct scene scene;
     struct geometry geometry;
-    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    load(&scene, &geometry, &PARTS(.nodes = lit_nodes, .more = three_lights));
     assert_int_equal(emitter_node_count(&scene), 3);
     struct emitter sun, spot, point;
     emitter_place(&sun, &scene, 0, 0);
@@ -201,7 +189,7 @@ TEST(lights) {
 TEST(cameras) {
     struct scene scene;
     struct geometry geometry;
-    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    load(&scene, &geometry, &PARTS(.nodes = lit_nodes, .more = three_lights));
     assert_int_equal(camera_node_count(&scene), 2);
     assert_int_equal(camera_find(&scene, "wide"), 0);
     assert_int_equal(camera_find(&scene, "eye"), 0);
@@ -230,8 +218,7 @@ TEST(cameras) {
 TEST(framing) {
     struct scene scene;
     struct geometry geometry;
-    load(&scene, &geometry,
-         &(struct gltf_parts){.nodes = "[{\"mesh\": 0, \"translation\": [100, 200, 300]}]"});
+    load(&scene, &geometry, &PARTS(.nodes = "[{mesh: 0, translation: [100, 200, 300]}]"));
     assert_int_equal(camera_node_count(&scene), 1);
     assert_int_equal(emitter_node_count(&scene), 2);
     struct camera camera;
@@ -277,28 +264,26 @@ TEST(brightness) {
         const char *light;
         double stops;
     } rows[] = {
-        {"\"type\": \"directional\", \"intensity\": 102943.7", 15},
-        {"\"type\": \"directional\", \"intensity\": 3.14159265", 0},
+        {"type: directional, intensity: 102943.7", 15},
+        {"type: directional, intensity: 3.14159265", 0},
         /* Beside the middle of a quad with a radius of sqrt(1/2). */
-        {"\"type\": \"point\", \"intensity\": 1608.495", 10},
+        {"type: point, intensity: 1608.495", 10},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;
         struct geometry geometry;
         const char *more =
-            form("\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{%s}]}},", rows[i].light);
+            form("extensions: {KHR_lights_punctual: {lights: [{%s}]}},", rows[i].light);
         load(&scene, &geometry,
-             &(struct gltf_parts){.nodes =
-                                      "[{\"mesh\": 0, \"extensions\": {\"KHR_lights_punctual\":"
-                                      " {\"light\": 0}}}]",
-                                  .more = more});
+             &PARTS(.nodes = "[{mesh: 0, extensions: {KHR_lights_punctual: {light: 0}}}]",
+                    .more = more));
         check_near("stops", scene_brightness(&scene, &geometry), rows[i].stops, 1e-3);
         check_brightness_note(&scene, &geometry, rows[i].stops);
         unload(&scene, &geometry);
     }
     struct scene scene;
     struct geometry geometry;
-    load(&scene, &geometry, &(struct gltf_parts){0});
+    load(&scene, &geometry, &PARTS(0));
     check_near("our own", scene_brightness(&scene, &geometry), 0, 1);
     unload(&scene, &geometry);
 }
@@ -307,8 +292,7 @@ TEST(brightness) {
 TEST(far_out) {
     struct scene scene;
     struct geometry geometry;
-    load(&scene, &geometry,
-         &(struct gltf_parts){.nodes = "[{\"mesh\": 0, \"translation\": [100000, 0, -70000]}]"});
+    load(&scene, &geometry, &PARTS(.nodes = "[{mesh: 0, translation: [100000, 0, -70000]}]"));
     check_near("origin", scene.origin[0], 100000, 1);
     check_near("origin", scene.origin[2], -70000, 1);
     check_at_most("centre over the radius", glm_vec3_norm(geometry.center), 2 * geometry.radius);
@@ -330,23 +314,17 @@ TEST(far_clip) {
         struct scene scene;
         struct geometry geometry;
         const char *accessors =
-            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                 " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-                 " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, "
-                 "\"componentType\": 5126,"
-                 " \"count\": 2, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 72,"
-                 " \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"}]",
+            form("[" PARTS_QUAD
+                 ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 2, type: SCALAR}, "
+                 "{bufferView: 0, byteOffset: 72, componentType: 5126, count: %d, type: VEC3}]",
                  i ? 6 : 2);
         const char *more =
-            form("\"animations\": [{\"samplers\": [{\"input\": 2, \"output\": 3, \"interpolation\":"
-                 " \"%s\"}], \"channels\": [{\"sampler\": 0, \"target\": {\"node\": 0, \"path\":"
-                 " \"translation\"}}]}],",
+            form("animations: [{samplers: [{input: 2, output: 3, interpolation: '%s'}], channels: "
+                 "[{sampler: 0, target: {node: 0, path: translation}}]}],",
                  kinds[i]);
         load(&scene, &geometry,
-             &(struct gltf_parts){.accessors = accessors,
-                                  .more = more,
-                                  .extra = keys[i],
-                                  .extra_size = sizeof keys[i]});
+             &PARTS(.accessors = accessors, .more = more, .extra = keys[i],
+                    .extra_size = sizeof keys[i]));
         check_near("origin", scene.origin[0], 100000, 2);
         const float *values = scene.clips[0].channels[0].values;
         float first = values[i ? 3 : 0], last = values[i ? 12 : 3];
@@ -472,7 +450,7 @@ TEST(projection) {
     struct camera camera, other;
     struct view view;
     float place[2];
-    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    load(&scene, &geometry, &PARTS(.nodes = lit_nodes, .more = three_lights));
     for (int n = 0; n < 2; n++) {
         camera_place(&camera, &scene, n, 0);
         float origin[3], direction[3], at[3];

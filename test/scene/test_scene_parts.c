@@ -62,8 +62,7 @@ TEST(hash) {
     unsigned char rgba[2 * 3 * 4] = {0};
     struct scene_texture texture = {.bitmap = {2, 3, rgba}};
     struct emitters emitters = {0};
-    check_ok("open", scene_open(&scene, &geometry,
-                                write_parts("plain.glb", &(struct gltf_parts){0}), NULL));
+    check_ok("open", scene_open(&scene, &geometry, write_parts("plain.glb", &PARTS(0)), NULL));
     camera_place(&camera, &scene, 0, 0);
     uint64_t sums[5] = {scene_hash(&scene, &geometry, &camera, &emitters)};
     emitters.sky = &sky;

@@ -27,8 +27,8 @@ static void close_parts(struct opened *opened) {
 
 /* --- the tree --------------------------------------------------------------------------------- */
 
-#define LIFTED "{\"translation\": [0, 0, 1], \"mesh\": 0}"
-#define ABOVE(children) "{\"translation\": [0, 0, 7], \"children\": [" children "]}"
+#define LIFTED "{translation: [0, 0, 1], mesh: 0}"
+#define ABOVE(children) "{translation: [0, 0, 7], children: [" children "]}"
 #define FAMILY "[" ABOVE("1") ", " LIFTED "]"
 
 /* The scene lists those nodes; the quad is drawn once, at a height, with a note of one node or
@@ -36,8 +36,8 @@ static void close_parts(struct opened *opened) {
 static void check_list(const char *nodes, const char *list, double z, int noted) {
     struct opened opened;
     char more[128], note[128] = "drawn once";
-    snprintf(more, sizeof more, "\"scenes\": [{\"nodes\": [%s]}],", list);
-    check_ok(list, open_parts(&opened, &(struct gltf_parts){.nodes = nodes, .more = more}, "", ""));
+    snprintf(more, sizeof more, "scenes: [{nodes: [%s]}],", list);
+    check_ok(list, open_parts(&opened, &PARTS(.nodes = nodes, .more = more), "", ""));
     check_near("quads", opened.geometry.index_count / 6., 1, 0);
     check_near(list, (double)opened.geometry.position[0][2], z, 0);
     if (noted >= 0)
@@ -53,40 +53,40 @@ TEST(lists) {
     check_list(FAMILY, "1", 1, 1); /* the parent is not in the scene */
     check_list(FAMILY, "0, 1", 8, 1);
     check_list(FAMILY, "1, 0", 8, 1);
-    check_list("[" ABOVE("1") ", {\"children\": [2]}, " LIFTED "]", "2, 0", 8, 2);
+    check_list("[" ABOVE("1") ", {children: [2]}, " LIFTED "]", "2, 0", 8, 2);
     check_list("[" LIFTED "]", "0, 0", 1, 0);
     check_list("[" ABOVE("1, 1") ", " LIFTED "]", "0", 8, 1);
     check_list("[" ABOVE("2") ", " ABOVE("2") ", " LIFTED "]", "1", 8, -1); /* a second parent */
     check_list("[" ABOVE("1") ", " ABOVE("0") ", " LIFTED "]", "2", 1, -1); /* a loop outside */
     const struct gltf_parts loop = {.nodes = "[" ABOVE("1") ", " ABOVE("0") "]",
-                                    .more = "\"scenes\": [{\"nodes\": [1]}],"};
+                                    .more = "scenes: [{nodes: [1]}],"};
     check_refused(open_parts(&opened, &loop, "", ""), "node 1: it is its own ancestor");
 }
 
 /* --- visibility ------------------------------------------------------------------------------- */
 
-#define VISIBLE(flag) "\"extensions\": {\"KHR_node_visibility\": {" flag "}}"
-#define HIDDEN VISIBLE("\"visible\": false")
+#define VISIBLE(flag) "extensions: {KHR_node_visibility: {" flag "}}"
+#define HIDDEN VISIBLE("visible: false")
 
 static void check_visible(const char *nodes, unsigned quads) {
     struct opened opened;
     const struct gltf_parts parts = {.nodes = nodes,
-                                     .more = "\"extensionsRequired\": [\"KHR_node_visibility\"],"};
+                                     .more = "extensionsRequired: [KHR_node_visibility],"};
     check_ok(nodes, open_parts(&opened, &parts, "", ""));
     check_near("quads", opened.geometry.index_count / 6., quads, 0);
     close_parts(&opened);
 }
 
 TEST(hidden) {
-    check_visible("[{\"mesh\": 0, " HIDDEN "}, " LIFTED "]", 1);
-    check_visible("[{\"mesh\": 0, " VISIBLE("\"visible\": true") "}]", 1);
-    check_visible("[{\"mesh\": 0, " VISIBLE("") "}]", 1);
-    check_visible("[{\"children\": [1], " HIDDEN
-                  "}, {\"children\": [2], " VISIBLE("\"visible\": true") "}, {\"mesh\": 0}]",
+    check_visible("[{mesh: 0, " HIDDEN "}, " LIFTED "]", 1);
+    check_visible("[{mesh: 0, " VISIBLE("visible: true") "}]", 1);
+    check_visible("[{mesh: 0, " VISIBLE("") "}]", 1);
+    check_visible("[{children: [1], " HIDDEN
+                  "}, {children: [2], " VISIBLE("visible: true") "}, {mesh: 0}]",
                   0);
-    check_visible("[{\"children\": [1, 2]}, {\"mesh\": 0, " HIDDEN "}, " LIFTED "]", 1);
-    check_visible("[{\"mesh\": 0, \"extensions\": {\"KHR_node_visibility\": {\"visible\": false},"
-                  " \"EXT_mesh_gpu_instancing\": {\"attributes\": {\"TRANSLATION\": 0}}}}]",
+    check_visible("[{children: [1, 2]}, {mesh: 0, " HIDDEN "}, " LIFTED "]", 1);
+    check_visible("[{mesh: 0, extensions: {KHR_node_visibility: {visible: false}, "
+                  "EXT_mesh_gpu_instancing: {attributes: {TRANSLATION: 0}}}}]",
                   0);
 }
 
@@ -96,18 +96,15 @@ TEST(hidden_lights) {
     for (int hidden = 0; hidden < 2; hidden++) {
         struct opened opened;
         char nodes[512];
-        snprintf(
-            nodes, sizeof nodes,
-            "[{\"children\": [1, 2, 3], \"extensions\": {\"KHR_node_visibility\": {\"visible\":"
-            " %s}}}, {\"mesh\": 0}, {\"extensions\": {\"KHR_lights_punctual\": {\"light\":"
-            " 0}}}, {\"camera\": 0}]",
-            flags[hidden]);
+        snprintf(nodes, sizeof nodes,
+                 "[{children: [1, 2, 3], extensions: {KHR_node_visibility: {visible: %s}}}, {mesh: "
+                 "0}, {extensions: {KHR_lights_punctual: {light: 0}}}, {camera: 0}]",
+                 flags[hidden]);
         const struct gltf_parts parts = {
             .nodes = nodes,
-            .materials = "[{\"emissiveFactor\": [1, 1, 1]}]",
-            .more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
-                    " \"point\"}]}}, \"cameras\": [{\"type\": \"perspective\", \"perspective\":"
-                    " {\"yfov\": 1, \"znear\": 1}}],"};
+            .materials = "[{emissiveFactor: [1, 1, 1]}]",
+            .more = "extensions: {KHR_lights_punctual: {lights: [{type: point}]}}, cameras: "
+                    "[{type: perspective, perspective: {yfov: 1, znear: 1}}],"};
         check_ok(flags[hidden], open_parts(&opened, &parts, "", ""));
         check_near("lights", emitter_node_count(&opened.scene), hidden ? 0 : 2, 0);
         check_near("cameras", camera_node_count(&opened.scene), 1, 0);
@@ -118,17 +115,14 @@ TEST(hidden_lights) {
 /* --- scenes and variants ---------------------------------------------------------------------- */
 
 static const struct gltf_parts choices = {
-    .nodes = "[{\"mesh\": 0}, {\"mesh\": 1, \"translation\": [0, 0, 5]}]",
-    .materials = "[{\"name\": \"plain\"}, {\"name\": \"red\"}, {\"name\": \"blue\"}]",
-    .meshes =
-        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"material\": 0,"
-        " \"extensions\": {\"KHR_materials_variants\": {\"mappings\": [{\"material\": 2,"
-        " \"variants\": [1, 2]}, {\"material\": 1, \"variants\": [0]}]}}}]},"
-        " {\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}]",
-    .more = "\"scene\": 1, \"scenes\": [{\"name\": \"hall\", \"nodes\": [0]}, {\"nodes\": [1]},"
-            " {\"name\": \"both\", \"nodes\": [0, 1]}], \"extensions\":"
-            " {\"KHR_materials_variants\": {\"variants\": [{\"name\": \"beach\"}, {\"name\":"
-            " \"street\"}, {\"name\": \"0\"}]}},"};
+    .nodes = "[{mesh: 0}, {mesh: 1, translation: [0, 0, 5]}]",
+    .materials = "[{name: plain}, {name: red}, {name: blue}]",
+    .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0, extensions: "
+              "{KHR_materials_variants: {mappings: [{material: 2, variants: [1, 2]}, {material: 1, "
+              "variants: [0]}]}}}]}, {primitives: [{attributes: {POSITION: 0}, indices: 1}]}]",
+    .more = "scene: 1, scenes: [{name: hall, nodes: [0]}, {nodes: [1]}, {name: both, nodes: [0, "
+            "1]}], extensions: {KHR_materials_variants: {variants: [{name: beach}, {name: street}, "
+            "{name: '0'}]}},"};
 
 static void check_choice(const char *scene, const char *variant, unsigned quads, double z,
                          const char *material) {
@@ -157,16 +151,15 @@ TEST(choice) {
                   "no scene '3' (there is: 0=hall 1 2=both)");
     check_refused(open_parts(&opened, &choices, NULL, "sea"),
                   "no variant 'sea' (there is: 0=beach 1=street 2=0)");
-    check_refused(open_parts(&opened, &(struct gltf_parts){0}, NULL, "0"),
-                  "no variant '0' (there is: none)");
+    check_refused(open_parts(&opened, &PARTS(0), NULL, "0"), "no variant '0' (there is: none)");
 }
 
 /* --- text ------------------------------------------------------------------------------------- */
 
 static void check_name(const char *name, const char *expected, const char *note) {
     struct opened opened;
-    const char *nodes = form("[{\"name\": \"%s\", \"mesh\": 0}]", name);
-    check_ok(name, open_parts(&opened, &(struct gltf_parts){.nodes = nodes}, "", ""));
+    const char *nodes = form("[{name: '%s', mesh: 0}]", name);
+    check_ok(name, open_parts(&opened, &PARTS(.nodes = nodes), "", ""));
     assert_string_equal(opened.scene.nodes[0].name, expected);
     if (*note ? !strstr(notes, note) : strstr(notes, "UTF-8") != NULL)
         fail_msg("%s: not the note '%s':\n%s", name, note, notes);
@@ -193,12 +186,12 @@ TEST(names) {
 TEST(file_names) {
     static const char *const uris[] = {"B\xFCro.bin", "B\\udcfcro.bin", "B%FCro.bin"};
     unsigned char bin[PARTS_BIN];
-    parts_bin(&(struct gltf_parts){0}, bin);
+    parts_bin(&PARTS(0), bin);
     write_bytes(scratch("B\xFCro.bin"), bin, sizeof bin);
     for (int i = 0; i < 3; i++) {
         struct opened opened;
-        const char *buffers = form("[{\"uri\" : \"%s\", \"byteLength\": 320}]", uris[i]);
-        check_ok(uris[i], open_parts(&opened, &(struct gltf_parts){.buffers = buffers}, "", ""));
+        const char *buffers = form("[{uri : '%s', byteLength: 320}]", uris[i]);
+        check_ok(uris[i], open_parts(&opened, &PARTS(.buffers = buffers), "", ""));
         close_parts(&opened);
     }
 }

@@ -13,12 +13,9 @@ struct cube_bytes {
 
 /* Accessors 0 to 2 of the three. */
 #define CUBE_ACCESSORS                                                                             \
-    "{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 8,"               \
-    " \"type\": \"VEC3\"},"                                                                        \
-    " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 196, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"}"
+    "{bufferView: 0, byteOffset: 64, componentType: 5126, count: 8, type: VEC3}, {bufferView: 0, " \
+    "byteOffset: 160, componentType: 5121, count: 36, type: SCALAR}, {bufferView: 0, byteOffset: " \
+    "196, componentType: 5121, count: 36, type: SCALAR}"
 
 static inline struct cube_bytes make_cube(void) {
     static const uint8_t faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},

@@ -12,14 +12,16 @@
 /* What the buffer holds: positions at 0, indices at 48, a place for the test's own bytes at 64. */
 enum { PARTS_EXTRA = 64, PARTS_BIN = 64 + 256 };
 
+/* The accessors of the quad: positions, indices. */
+#define PARTS_QUAD                                                                                 \
+    "{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, {bufferView: 0, byteOffset: 48, " \
+    "componentType: 5123, count: 6, type: SCALAR}"
+
 /* Accessors of the quad whose normals, accessor 2, are four vectors of the test's own. */
 #define PARTS_OWN_NORMALS                                                                          \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
-    " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"     \
-    " \"count\": 4, \"type\": \"VEC3\"}]"
+    "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 4, type: VEC3}]"
 
-/* Values of the top-level members; NULL = the quad's. */
+/* Values of the top-level members, by quote_words; NULL = the quad's. */
 struct gltf_parts {
     const char *asset, *buffers, *views, *accessors, *materials, *meshes, *nodes;
     const char *more; /* other members: "\"cameras\": [...], " */
@@ -27,38 +29,38 @@ struct gltf_parts {
     size_t extra_size; /* at most 256 */
 };
 
+#define PARTS(...) ((struct gltf_parts){__VA_ARGS__})
+#define EXTRA(value) .extra = &(value), .extra_size = sizeof(value)
+
 /* Accessors of a quad with texture coordinates, which are in `extra`. */
 #define PARTS_TEXTURED                                                                             \
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\":"    \
-    " \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"               \
-    " \"count\": 4, \"type\": \"VEC2\"}]"
+    "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 4, type: VEC2}]"
 
 static inline const char *parts_or(const char *part, const char *quad) {
     return part ? part : quad;
 }
 
 static inline size_t parts_json(const struct gltf_parts *parts, char *json, size_t size) {
-    int length = snprintf(
-        json, size,
-        "{\"asset\": %s, %s \"buffers\": %s, \"bufferViews\": %s, \"accessors\": %s,"
-        " \"materials\": %s, \"meshes\": %s, \"nodes\": %s}",
-        parts_or(parts->asset, "{\"version\": \"2.0\"}"), parts_or(parts->more, ""),
-        parts_or(parts->buffers, "[{\"byteLength\": 320}]"),
-        parts_or(parts->views, "[{\"buffer\": 0, \"byteLength\": 320}]"),
-        parts_or(parts->accessors,
-                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-                 " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-                 " \"type\": \"SCALAR\"}]"),
-        parts_or(parts->materials, "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"),
-        parts_or(parts->meshes, "[{\"name\": \"quad\", \"primitives\": [{\"attributes\":"
-                                " {\"POSITION\": 0}, \"indices\": 1, \"material\": 0}]}]"),
-        parts_or(parts->nodes, "[{\"name\": \"one\", \"mesh\": 0}]"));
-    assert_true(length > 0 && (size_t)length + 4 < size);
+    static char text[16384];
+    int printed = snprintf(
+        text, sizeof text,
+        "{asset: %s, %s buffers: %s, bufferViews: %s, accessors: %s, materials: %s, meshes: %s, "
+        "nodes: %s}",
+        parts_or(parts->asset, "{version: '2.0'}"), parts_or(parts->more, ""),
+        parts_or(parts->buffers, "[{byteLength: 320}]"),
+        parts_or(parts->views, "[{buffer: 0, byteLength: 320}]"),
+        parts_or(parts->accessors, "[" PARTS_QUAD "]"),
+        parts_or(parts->materials, "[{pbrMetallicRoughness: {metallicFactor: 0}}]"),
+        parts_or(
+            parts->meshes,
+            "[{name: quad, primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}]"),
+        parts_or(parts->nodes, "[{name: one, mesh: 0}]"));
+    assert_true(printed > 0 && (size_t)printed < sizeof text);
+    size_t length = quote_words(text, json, size - 4);
     while (length % 4)
         json[length++] = ' ';
     json[length] = '\0';
-    return (size_t)length;
+    return length;
 }
 
 static inline void parts_bin(const struct gltf_parts *parts, unsigned char bin[PARTS_BIN]) {

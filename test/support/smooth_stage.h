@@ -20,13 +20,11 @@ enum { SIZE = 64, FLOOR = 0, SMOOTH = 1 }; /* pixels; materials */
 
 /* Nodes of quads from 0 to 1 in x and y, which face +z; their material is the mesh's. The floor, 40
  * m wide, is z = 0. */
-#define FLOOR_NODE "{\"mesh\": 0, \"translation\": [-20, -20, 0], \"scale\": [40, 40, 1]}"
+#define FLOOR_NODE "{mesh: 0, translation: [-20, -20, 0], scale: [40, 40, 1]}"
 
 /* Squares at that z, as wide, which face up and down. */
-#define UP_NODE "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"scale\": [%g, %g, 1]}"
-#define DOWN_NODE                                                                                  \
-    "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"rotation\": [1, 0, 0, 0], \"scale\": [%g, "    \
-    "%g, 1]}"
+#define UP_NODE "{mesh: 1, translation: [%g, %g, %g], scale: [%g, %g, 1]}"
+#define DOWN_NODE "{mesh: 1, translation: [%g, %g, %g], rotation: [1, 0, 0, 0], scale: [%g, %g, 1]}"
 
 static inline int print_square(char *text, size_t size, const char *node, double z, double width) {
     bool is_down = strcmp(node, DOWN_NODE) == 0;
@@ -38,13 +36,11 @@ static inline int print_square(char *text, size_t size, const char *node, double
 static inline void open_nodes(struct stage *stage, const char *nodes, float eye) {
     *stage = open_stage(write_parts(
         "caustics.glb",
-        &(struct gltf_parts){.nodes = nodes,
-                             .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
-                                          " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-                             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                       " \"indices\": 1, \"material\": 0}]},"
-                                       " {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                       " \"indices\": 1, \"material\": 1}]}]"}));
+        &PARTS(.nodes = nodes,
+               .materials = "[{pbrMetallicRoughness: {metallicFactor: 0}}, {pbrMetallicRoughness: "
+                            "{metallicFactor: 0}}]",
+               .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
+                         "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1}]}]")));
     stage->camera = (struct camera){.eye = {0, 0, eye},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},

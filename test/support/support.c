@@ -7,6 +7,7 @@
 #include "base/log.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
@@ -102,6 +103,38 @@ char *form(const char *format, ...) {
     assert_true(vasprintf(text, format, arguments) >= 0);
     va_end(arguments);
     return *text;
+}
+
+/* The length of a string in quotes, of a word, or of a number, which has no quotes to get. */
+static size_t token_length(const char *text) {
+    if (*text != '"' && *text != '\'')
+        return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789.+-");
+    const char *end = text + 1;
+    while (*end && *end != *text)
+        end += *end == '\\' && end[1] ? 2 : 1;
+    return (size_t)(end - text) + (*end != '\0');
+}
+
+static bool lacks_quotes(const char *word, size_t length) {
+    static const char *const bare[] = {"true", "false", "null", "NaN"};
+    for (size_t i = 0; i < sizeof bare / sizeof *bare; i++)
+        if (strlen(bare[i]) == length && strncmp(word, bare[i], length) == 0)
+            return false;
+    return isalpha((unsigned char)*word) || *word == '_';
+}
+
+size_t quote_words(const char *text, char *json, size_t size) {
+    size_t used = 0;
+    for (size_t length; *text; text += length) {
+        size_t token = token_length(text);
+        length = token ? token : 1;
+        bool in_quotes = *text == '\'', bare = token && lacks_quotes(text, length);
+        const char *quote = in_quotes || bare ? "\"" : "";
+        used += (size_t)snprintf(json + used, size - used, "%s%.*s%s", quote,
+                                 (int)length - 2 * in_quotes, text + in_quotes, quote);
+        assert_true(used < size);
+    }
+    return used;
 }
 
 int run_command(const char *command, char *output, size_t output_size) {

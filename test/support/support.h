@@ -68,6 +68,9 @@ bool is_tried_here(size_t index, size_t step);
 /* The text of printf. It is kept for the next 1000 texts. */
 char *form(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Writes JSON whose words may lack quotes, {name: one, uri: 'a b.png'}, with them; its length. */
+size_t quote_words(const char *text, char *json, size_t size);
+
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);
 

@@ -119,24 +119,20 @@ static inline void open_shape(struct stage *stage, struct shape *shape, double a
     assert_true(fwrite(shape->position, 1, vectors, file) == vectors &&
                 fwrite(shape->normal, 1, vectors, file) == vectors &&
                 fwrite(shape->indices, 1, indices, file) == indices && fclose(file) == 0);
-    snprintf(
-        text, sizeof text,
-        "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_lights_punctual\"],"
-        "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\",\"intensity\":1}]"
-        "}},"
-        "\"buffers\":[{\"byteLength\":%zu,\"uri\":\"shape.bin\"}],\"bufferViews\":["
-        "{\"buffer\":0,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu},"
-        "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}],\"accessors\":["
-        "{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},"
-        "{\"bufferView\":1,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},"
-        "{\"bufferView\":2,\"componentType\":5125,\"count\":%d,\"type\":\"SCALAR\"}],"
-        "\"materials\":[{\"doubleSided\":%s,\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
-        "\"baseColorFactor\":[%g,%g,%g,1]}}],\"meshes\":[{\"primitives\":[{\"attributes\":"
-        "{\"POSITION\":0,\"NORMAL\":1},\"indices\":2,\"material\":0}]}],\"nodes\":[{\"mesh\":0},"
-        "{\"translation\":[%g,%g,%g],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}]}",
-        2 * vectors + indices, vectors, vectors, vectors, 2 * vectors, indices, shape->vertex_count,
-        shape->vertex_count, shape->index_count, two_sided ? "true" : "false", albedo, albedo,
-        albedo, (double)light.x, (double)light.y, (double)light.z);
+    snprintf(text, sizeof text,
+             "{asset:{version:'2.0'},extensionsUsed:[KHR_lights_punctual],extensions:{KHR_lights_"
+             "punctual:{lights:[{type:point,intensity:1}]}},buffers:[{byteLength:%zu,uri:'shape."
+             "bin'}],bufferViews:[{buffer:0,byteLength:%zu},{buffer:0,byteOffset:%zu,byteLength:%"
+             "zu},{buffer:0,byteOffset:%zu,byteLength:%zu}],accessors:[{bufferView:0,componentType:"
+             "5126,count:%d,type:VEC3},{bufferView:1,componentType:5126,count:%d,type:VEC3},{"
+             "bufferView:2,componentType:5125,count:%d,type:SCALAR}],materials:[{doubleSided:%s,"
+             "pbrMetallicRoughness:{metallicFactor:0,baseColorFactor:[%g,%g,%g,1]}}],meshes:[{"
+             "primitives:[{attributes:{POSITION:0,NORMAL:1},indices:2,material:0}]}],nodes:[{mesh:"
+             "0},{translation:[%g,%g,%g],extensions:{KHR_lights_punctual:{light:0}}}]}",
+             2 * vectors + indices, vectors, vectors, vectors, 2 * vectors, indices,
+             shape->vertex_count, shape->vertex_count, shape->index_count,
+             two_sided ? "true" : "false", albedo, albedo, albedo, (double)light.x, (double)light.y,
+             (double)light.z);
     write_text(path, text);
     *stage = open_stage(path);
     free(shape);

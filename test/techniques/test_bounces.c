@@ -206,37 +206,35 @@ TEST(shared) {
 }
 
 #define PLACED(mesh, x, y, z, width, turn)                                                         \
-    "{\"mesh\": " mesh ", \"translation\": [" x ", " y ", " z "], \"scale\": [" width ", 4, 1],"   \
-    " \"rotation\": [" turn "0.70710678, 0, 0, 0.70710678]}, "
+    "{mesh: " mesh ", translation: [" x ", " y ", " z "], scale: [" width                          \
+    ", 4, 1], rotation: [" turn "0.70710678, 0, 0, 0.70710678]}, "
 #define MESH(material)                                                                             \
-    "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, "                       \
-    "\"material\": " material "}]}"
+    "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: " material "}]}"
 #define MATERIAL(color)                                                                            \
-    "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"                      \
-    " [" color ", " color ", " color ", 1]}}"
+    "{pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: [" color ", " color ", " color    \
+    ", 1]}}"
 
 /* The board lies 10 cm above the floor; or as high as the floor, behind a wall of 90 cm. */
 #define HIGH_BOARD PLACED("0", "-2", "0.1", "2", "2", "-")
 #define BOARD_BEHIND_WALL                                                                          \
     PLACED("0", "-2", "0", "2", "2", "-")                                                          \
-    "{\"mesh\": 0, \"translation\": [0, 0, 2], \"scale\": [4, 0.9, 1],"                            \
-    " \"rotation\": [0, 0.70710678, 0, 0.70710678]}, "
+    "{mesh: 0, translation: [0, 0, 2], scale: [4, 0.9, 1], rotation: [0, 0.70710678, 0, "          \
+    "0.70710678]}, "
 
 /* Below a ceiling that a spot lights a white board and beside it a dark floor. */
 static void open_board(struct stage *stage, const char *board) {
-    const char *nodes = form(
-        "[%s" PLACED("1", "0", "0", "2", "2", "-")
-            PLACED("0", "-2", "3", "-2", "4",
-                   "") "{\"translation\": [0, 1, 0], \"rotation\": [0.70710678, 0, 0, 0.70710678],"
-                       " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-        board);
+    const char *nodes =
+        form("[%s" PLACED("1", "0", "0", "2", "2", "-")
+                 PLACED("0", "-2", "3", "-2", "4",
+                        "") "{translation: [0, 1, 0], rotation: [0.70710678, 0, 0, 0.70710678], "
+                            "extensions: {KHR_lights_punctual: {light: 0}}}]",
+             board);
     struct gltf_parts parts = {
         .materials = "[" MATERIAL("0.8") ", " MATERIAL("0.1") "]",
         .meshes = "[" MESH("0") ", " MESH("1") "]",
         .nodes = nodes,
-        .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"], \"extensions\": {"
-                "\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\", \"intensity\": 100,"
-                " \"spot\": {\"outerConeAngle\": 0.7}}]}}, "};
+        .more = "extensionsUsed: [KHR_lights_punctual], extensions: {KHR_lights_punctual: {lights: "
+                "[{type: spot, intensity: 100, spot: {outerConeAngle: 0.7}}]}}, "};
     *stage = open_stage(write_parts("board.glb", &parts));
 }
 

@@ -70,12 +70,10 @@ TEST(quad) {
         double area;
     } rows[] = {
         {"[{}]", 1},
-        {"[{\"doubleSided\": true}]", 1},
-        {"[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0, 0, 0, 1]}}]", 1},
-        {"[{\"alphaMode\": \"MASK\"}]", 1},
-        {"[{\"alphaMode\": \"MASK\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, "
-         "0.25]}}]",
-         0},
+        {"[{doubleSided: true}]", 1},
+        {"[{pbrMetallicRoughness: {baseColorFactor: [0, 0, 0, 1]}}]", 1},
+        {"[{alphaMode: MASK}]", 1},
+        {"[{alphaMode: MASK, pbrMetallicRoughness: {baseColorFactor: [1, 1, 1, 0.25]}}]", 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(scene) scene;

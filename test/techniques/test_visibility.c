@@ -156,24 +156,17 @@ TEST(terms) {
  * both. The camera looks down through the backs of ceiling and blocker. A convolution soft shadow
  * map is exact here but for the terms that its series lacks [Dong 2011 §5.2]. */
 static const struct gltf_parts blocker_parts = {
-    .materials = "[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.8, 0.8, 0.8, 1], "
-                 "\"metallicFactor\": 0}}]",
-    .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
-            "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
-            " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.46,"
-            " \"outerConeAngle\": 0.464}}]}},"
-            "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
-            " {\"xmag\": 2, \"ymag\": 2, \"znear\": 0.1, \"zfar\": 10}}],",
-    .nodes = "[{\"name\": \"ceiling\", \"mesh\": 0,"
-             "  \"matrix\": [4,0,0,0, 0,0,4,0, 0,-1,0,0, -2,3,-2,1]},"
-             " {\"name\": \"blocker\", \"mesh\": 0,"
-             "  \"matrix\": [2,0,0,0, 0,0,4,0, 0,-1,0,0, 0,1.5,-2,1]},"
-             " {\"name\": \"floor\", \"mesh\": 0,"
-             "  \"matrix\": [0,0,8,0, 8,0,0,0, 0,1,0,0, -4,0,-4,1]},"
-             " {\"name\": \"light\", \"matrix\": [1,0,0,0, 0,0,1,0, 0,-1,0,0, 0,2,0,1],"
-             "  \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
-             " {\"name\": \"camera\", \"camera\": 0,"
-             "  \"matrix\": [1,0,0,0, 0,0,-1,0, 0,1,0,0, 0,5,0,1]}]",
+    .materials =
+        "[{pbrMetallicRoughness: {baseColorFactor: [0.8, 0.8, 0.8, 1], metallicFactor: 0}}]",
+    .more =
+        "extensionsUsed: [KHR_lights_punctual],extensions: {KHR_lights_punctual: {lights: [{type: "
+        "spot, intensity: 10, spot: {innerConeAngle: 0.46, outerConeAngle: 0.464}}]}},cameras: "
+        "[{type: orthographic, orthographic: {xmag: 2, ymag: 2, znear: 0.1, zfar: 10}}],",
+    .nodes = "[{name: ceiling, mesh: 0,  matrix: [4,0,0,0, 0,0,4,0, 0,-1,0,0, -2,3,-2,1]}, {name: "
+             "blocker, mesh: 0,  matrix: [2,0,0,0, 0,0,4,0, 0,-1,0,0, 0,1.5,-2,1]}, {name: floor, "
+             "mesh: 0,  matrix: [0,0,8,0, 8,0,0,0, 0,1,0,0, -4,0,-4,1]}, {name: light, matrix: "
+             "[1,0,0,0, 0,0,1,0, 0,-1,0,0, 0,2,0,1],  extensions: {KHR_lights_punctual: {light: "
+             "0}}}, {name: camera, camera: 0,  matrix: [1,0,0,0, 0,0,-1,0, 0,1,0,0, 0,5,0,1]}]",
 };
 
 static double flat_error(const struct stage *flat, const struct image *exact, const char *more) {
@@ -208,12 +201,10 @@ TEST(flat_blocker) {
 /* A quad whose normals lean towards a wall that shines, below the quad's plane or above it, and
  * towards a lamp. The camera looks at the quad alone; a spot lights the wall alone. */
 static const char leaning_nodes[] =
-    "[{\"name\": \"quad\", \"mesh\": 0},"
-    " {\"name\": \"wall\", \"mesh\": 1,"
-    "  \"matrix\": [0,0,1.2,0, 0,1,0,0, -1,0,0,0, %s,0,%s,1]},"
-    " {\"name\": \"light\", \"matrix\": [0,0,1,0, 0,1,0,0, -1,0,0,0, %s,0.5,%s,1],"
-    "  \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
-    " {\"name\": \"camera\", \"camera\": 0, \"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0.5,0.5,3,1]}]";
+    "[{name: quad, mesh: 0}, {name: wall, mesh: 1,  matrix: [0,0,1.2,0, 0,1,0,0, -1,0,0,0, "
+    "%s,0,%s,1]}, {name: light, matrix: [0,0,1,0, 0,1,0,0, -1,0,0,0, %s,0.5,%s,1],  extensions: "
+    "{KHR_lights_punctual: {light: 0}}}, {name: camera, camera: 0, matrix: [1,0,0,0, 0,1,0,0, "
+    "0,0,1,0, 0.5,0.5,3,1]}]";
 
 struct leaning {
     const char *wall[2], *light[2]; /* x and z */
@@ -229,25 +220,19 @@ static double light_of_leaning(const struct leaning *lit) {
         memcpy(normals[i], (float[]){(float)sin(lean), 0, (float)cos(lean)}, sizeof normals[i]);
     const char *nodes =
         form(leaning_nodes, lit->wall[0], lit->wall[1], lit->light[0], lit->light[1]);
-    const char *more =
-        form("\"extensionsUsed\": [\"KHR_lights_punctual\"],"
-             "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"%s\","
-             " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.4,"
-             " \"outerConeAngle\": 0.42}}]}},"
-             "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
-             " {\"xmag\": 0.4, \"ymag\": 0.4, \"znear\": 0.1, \"zfar\": 10}}],",
-             lit->type);
+    const char *more = form(
+        "extensionsUsed: [KHR_lights_punctual],extensions: {KHR_lights_punctual: {lights: [{type: "
+        "'%s', intensity: 10, spot: {innerConeAngle: 0.4, outerConeAngle: 0.42}}]}},cameras: "
+        "[{type: orthographic, orthographic: {xmag: 0.4, ymag: 0.4, znear: 0.1, zfar: 10}}],",
+        lit->type);
     struct gltf_parts parts = {
         .accessors = PARTS_OWN_NORMALS,
-        .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
-                  " \"indices\": 1, \"material\": 0}]},"
-                  " {\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                  " \"material\": 0}]}]",
+        .meshes = "[{primitives: [{attributes: {POSITION: 0, NORMAL: 2}, indices: 1, material: "
+                  "0}]}, {primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}]",
         .materials = lit->material,
         .more = more,
         .nodes = nodes,
-        .extra = normals,
-        .extra_size = sizeof normals,
+        EXTRA(normals),
     };
     OWNED(stage) leaning;
     struct scene scene;
@@ -262,8 +247,8 @@ static double light_of_leaning(const struct leaning *lit) {
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it
  * dark, too. */
 TEST(facet) {
-#define DIFFUSE "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
-#define METAL "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}]"
+#define DIFFUSE "[{pbrMetallicRoughness: {metallicFactor: 0}}]"
+#define METAL "[{pbrMetallicRoughness: {metallicFactor: 1, roughnessFactor: 0.5}}]"
     static const struct leaning rows[][2] = {
         {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, DIFFUSE},
          {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, DIFFUSE}},
