@@ -3,13 +3,7 @@
 #include "command_support.h"
 
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "scene/camera.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* The value of an attribute of that name and type, or NULL: OpenEXR File Layout, name, type, size,
  * value. */

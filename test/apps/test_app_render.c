@@ -3,17 +3,10 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
-#include "base/memory.h"
 #include "inspect/aov.h"
 #include "shared/vpl.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* A quick frame of the Cornell box with more arguments. */

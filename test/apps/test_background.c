@@ -4,12 +4,7 @@
 #include "gltf_parts.h"
 
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "metrics/colour.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum {
     SIDE = 20,

@@ -8,11 +8,6 @@
 #include "support.h"
 
 #include "base/file/file.h"
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #ifdef __SANITIZE_ADDRESS__
 enum { HAS_OWN_MALLOC = 1 };

@@ -2,12 +2,6 @@
  * file that is not whole. */
 #include "command_support.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Small enough for a frame in no time. */
 #define QUICK                                                                                      \
     "--size 24x16 --set vpls=64 --set vals=4 --set map-size=32 --set rsm-size=64 "                 \

@@ -1,13 +1,6 @@
 /* A technique and a direct method that only tests have go through every subcommand: nothing in the
  * program knows VPLs, maps or a blur to be there. */
-#include "base/file/image_file.h"
-#include "base/memory.h"
 #include "command_support.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Runs the guests' program and looks for the words in what it says. */
 static void expect_words(int status, const char *words, const char *format, const char *argument) {

@@ -2,11 +2,6 @@
 #include "command_support.h"
 #include "gltf_parts.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <string.h>
-
 #define EYE(more)                                                                                  \
     "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1" more "}}"
 
@@ -90,21 +85,20 @@ TEST(aspect) {
         {"--camera 1 --size 16x8", "16x8", ""},
     };
     const char *path = form(
-        "%s", write_parts("aspect.glb",
-                          &PARTS(
-                                  .nodes = "[{mesh: 0}, {camera: 0}, {camera: 1}, {camera: 2}, "
-                                           "{camera: 3}, {camera: 4}, {camera: 5}]",
-                                  .more =
-                                      "cameras: [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
-                                          ", \"aspectRatio\": 0.1") ",{type: orthographic, "
-                                                                    "orthographic: {xmag: -8, "
-                                                                    "ymag: 1, znear: 0, zfar: "
-                                                                    "9}}," EYE(", \"aspectRatio\": "
-                                                                               "0") "," EYE(", "
-                                                                                            "\"aspe"
-                                                                                            "ctRati"
-                                                                                            "o\": "
-                                                                                            "1e9") "],")));
+        "%s",
+        write_parts("aspect.glb",
+                    &PARTS(.nodes = "[{mesh: 0}, {camera: 0}, {camera: 1}, {camera: 2}, "
+                                    "{camera: 3}, {camera: 4}, {camera: 5}]",
+                           .more = "cameras: [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
+                               ", \"aspectRatio\": 0.1") ",{type: orthographic, "
+                                                         "orthographic: {xmag: -8, "
+                                                         "ymag: 1, znear: 0, zfar: "
+                                                         "9}}," EYE(", \"aspectRatio\": "
+                                                                    "0") "," EYE(", "
+                                                                                 "\"aspe"
+                                                                                 "ctRati"
+                                                                                 "o\": "
+                                                                                 "1e9") "],")));
     assert_int_equal(info(path), 0);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         expect_text(rows[i].says);

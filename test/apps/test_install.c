@@ -3,11 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* All but what is built: the program that lies there is installed. Other builds' tests leave it

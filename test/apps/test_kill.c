@@ -5,17 +5,12 @@
 
 #include "base/clock.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "base/memory.h"
 
 #include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>

@@ -3,12 +3,6 @@
  * fails. */
 #include "command_support.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define SCENE "scenes/moving-spot.glb "
 #define SMALL SCENE "--size 8x8 --environment @/sky.exr -v "
 #define PROBED SCENE "--environment @/sky.exr -v --grid -.3,.5,.3,.6,0,0,0,0,-.6,2x1 "

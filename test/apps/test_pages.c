@@ -5,10 +5,6 @@
 #include "support.h"
 #include "techniques/technique.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 static void check_says(const char *path, const char *text, const char *words) {
     if (!strstr(text, words))
         fail_msg("%s does not say '%s'", path, words);

@@ -4,11 +4,8 @@
 #include "gltf_parts.h"
 
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 
 #include <cglm/util.h>
-#include <math.h>
-#include <stdlib.h>
 
 enum { ROWS_MAX = 32 };
 

@@ -4,15 +4,10 @@
 #include "render_support.h"
 
 #include "apps/frames.h"
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "gl/memory.h"
 #include "scene/shapes/metaballs.h"
 #include "shared/vpl.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -3,9 +3,6 @@
 #include "command_support.h"
 #include "gltf_parts.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
 #define QUICK                                                                                      \

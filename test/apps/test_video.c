@@ -2,11 +2,6 @@
  * ffmpeg is missing or fails. */
 #include "command_support.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define CLIP "% render scenes/moving-spot.glb --quality draft -q "
 
 /* Entries of the video's stream as ffprobe prints them. */

@@ -2,26 +2,19 @@
 #define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
-#include "base/error.h"
 #include "base/extremes.h"
 #include "base/file/file.h"
 #include "base/file/folder.h"
-#include "base/file/image_file.h"
 #include "base/halton.h"
 #include "base/image.h"
 #include "base/log.h"
-#include "base/memory.h"
 #include "base/names.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/text.h"
 #include "base/words.h"
 
-#include <math.h>
 #include <stdatomic.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* A running value goes second, and NaN never becomes it but where it begins so. */

@@ -3,12 +3,9 @@
 #include "command_support.h"
 #include "exr_parts.h"
 
-#include "base/file/image_file.h"
 #include "base/file/image_plugin.h"
 
-#include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
 
 enum { WIDTH = 19, HEIGHT = 11, THREADS = 8 };
 

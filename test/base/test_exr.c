@@ -3,16 +3,9 @@
 #include "command_support.h"
 #include "exr_parts.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "base/memory.h"
 #include "metrics/layer.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* --- the format: OpenEXR File Layout, scan lines without compression -------------------------- */
 

@@ -2,14 +2,8 @@
  * primaries and units of EXR. And what own .hdr files lose. */
 #include "support.h"
 
-#include "base/file/image_file.h"
 #include "base/file/image_plugin.h"
 #include "base/primaries.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { WIDTH = 16, HEIGHT = 8 };
 

@@ -4,10 +4,6 @@
 
 #include "base/json.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
 TEST(values) {
     char *text = NULL;
     size_t size;

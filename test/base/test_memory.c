@@ -2,14 +2,9 @@
  * the object, what is wanted and what is free; exit 1, no abort, no file. */
 #include "command_support.h"
 
-#include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/image.h"
-#include "base/memory.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 

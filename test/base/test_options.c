@@ -2,13 +2,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
-#include "base/error.h"
 #include "base/option.h"
 #include "base/settings.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 struct values {
     bool flag;

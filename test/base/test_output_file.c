@@ -2,17 +2,11 @@
 #define _XOPEN_SOURCE 700
 #include "support.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "base/memory.h"
 #include "viewer/scene/session.h"
 
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -3,16 +3,11 @@
 #include "bytes.h"
 #include "command_support.h"
 
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/file/webp.h"
 #include "metrics/colour.h"
 #include "metrics/layer.h"
 #include "scene/lights/environment.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static void put_number(struct bytes *bytes, unsigned value, int size, bool big_endian) {
     for (int i = 0; i < size; i++) {

@@ -13,10 +13,6 @@
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* --- light of the whole ----------------------------------------------------------------------- */
 

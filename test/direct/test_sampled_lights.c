@@ -2,12 +2,8 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/error.h"
 #include "base/halton.h"
 #include "scene/placing.h"
-
-#include <math.h>
-#include <string.h>
 
 enum { SIZE = 64, LIGHTS = 60 };
 

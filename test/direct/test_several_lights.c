@@ -2,17 +2,11 @@
  * have alone, and light adds up. */
 #include "render_support.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
 #include "direct/direct.h"
 #include "gl/memory.h"
 #include "lights/view.h"
 #include "techniques/technique.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SIZE = 64 };
 

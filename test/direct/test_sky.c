@@ -9,11 +9,6 @@
 #include "scene/lights/environment.h"
 #include "scene/lobe_albedo.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { SIZE = 80, SKY_WIDTH = 128, SKY_HEIGHT = 64 };
 
 /* The only one that is bright in one of the skies. */

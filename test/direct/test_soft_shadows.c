@@ -13,10 +13,6 @@
 
 #include <cglm/cglm.h>
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 enum { SIZE = 96 };
 
 static const double light_height = 1.5, plate_height = .5, beyond_light = 9, below_floor = -1;

@@ -1,15 +1,10 @@
 /* The gl floor: contexts and the function table. */
 #include "support.h"
 
-#include "base/error.h"
 #include "gl/api.h"
 #include "gl/context/context.h"
 #include "gl/context/needs.h"
 #include "shared/vpl.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const struct context_desc egl_desc = {.kind = CONTEXT_EGL, .debug = true};
 static const struct context_desc osmesa_desc = {.kind = CONTEXT_OSMESA, .debug = true};

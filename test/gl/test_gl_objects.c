@@ -3,7 +3,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
-#include "base/error.h"
 #include "gl/buffer.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
@@ -13,9 +12,6 @@
 #include "gl/texture.h"
 #include "gl/timer.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 

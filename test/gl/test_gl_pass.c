@@ -7,9 +7,6 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
 static struct timers untimed;

@@ -1,8 +1,6 @@
 /* Screen passes (gl/screen.h): drawn and dispatched they have the same bits. */
 #include "render_support.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
@@ -12,12 +10,8 @@
 #include "gl/screen_glsl.h"
 #include "gl/screen_rows.h"
 
-#include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
 /* --- pictures --------------------------------------------------------------------------------- */

@@ -4,13 +4,9 @@
 #define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
-#include "base/memory.h"
 #include "gl/glsl_embedded.h"
 
 #include <ctype.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Words. A struct's own size is told by its own check: a multiple of four. */
 static const struct type {

@@ -3,9 +3,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 static int bench(const char *arguments) {

@@ -2,12 +2,7 @@
 #include "base/unit.h"
 #include "command_support.h"
 
-#include "base/file/image_file.h"
 #include "renderer/stage.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 static int clean(void **state) {
     (void)state;

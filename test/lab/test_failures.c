@@ -1,10 +1,7 @@
 /* The failure suite in small: every row with every technique within what it promises. */
 #include "render_support.h"
 
-#include "base/error.h"
 #include "lab/measure/failures.h"
-
-#include <stdio.h>
 
 #define SMALL                                                                                      \
     "vpls=256,map-size=128,shadow-size=512,rsm-size=128,map-points=1024,row-column.rows=36,"       \

@@ -6,9 +6,6 @@
 #include "renderer/renderer.h"
 
 #include <ctype.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static char *bash;
 

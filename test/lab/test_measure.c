@@ -7,15 +7,8 @@
 #include "lab/measure/panels.h"
 #include "lab/measure/reference.h"
 #include "lab/measure/variants.h"
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "inspect/aov.h"
 #include "inspect/lights.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 interleave=1";
 

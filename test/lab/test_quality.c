@@ -4,18 +4,12 @@
 #include "command_support.h"
 #include "render_support.h"
 
-#include "base/error.h"
 #include "lab/measure/reference.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"
 #include "quality/picture.h"
 #include "quality/quality.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SIDE = 96 };
 

@@ -6,8 +6,6 @@
 
 #include "base/file/file.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 /* The driver's own program is that of the tests. */

@@ -6,11 +6,6 @@
 #include "base/option.h"
 #include "quality/time_budget.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { LAST = TIME_BUDGET_LEVELS - 1, SEARCH = 10, FRAMES = 200 };
 
 /* What a frame of a level takes on a machine, ms; in a clip at that frame. */

@@ -4,7 +4,6 @@
 #include "library_support.h"
 
 #include "base/file/file.h"
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/lights/emitter.h"
 #include "scene/open.h"
@@ -12,9 +11,6 @@
 #include <fenv.h>
 #include <locale.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define BOX "scenes/cornell-box.glb"
 

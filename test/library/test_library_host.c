@@ -11,9 +11,6 @@
 #include <GL/glcorearb.h>
 
 #include <dlfcn.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define BOX "scenes/cornell-box.glb"
 

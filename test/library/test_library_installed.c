@@ -2,9 +2,6 @@
  * header and no other. */
 #include "command_support.h"
 
-#include <stdio.h>
-#include <string.h>
-
 #define PREFIX "@/prefix"
 #define ENVIRONMENT "PKG_CONFIG_PATH=" PREFIX "/lib/pkgconfig LD_LIBRARY_PATH=" PREFIX "/lib"
 #define BOX "scenes/cornell-box.glb"

@@ -2,11 +2,6 @@
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
-#include <math.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,13 +1,8 @@
 /* manylight compare: exit statuses, messages and outputs, as a shell sees them. */
 #include "command_support.h"
 
-#include "base/file/image_file.h"
 #include "base/image.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* The value that the table or the JSON has after the name. */

@@ -1,17 +1,10 @@
 /* Pictures of figures: heat maps, their labels, and pictures beside each other. */
 #include "support.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "base/image.h"
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"
 #include "metrics/label.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static double lightness_at(const struct bitmap *picture, int x, int y) {
     float rgb[3], lab[3];

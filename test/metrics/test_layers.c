@@ -3,13 +3,7 @@
 #include "command_support.h"
 #include "exr_parts.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
-#include "base/memory.h"
 #include "metrics/layer.h"
-
-#include <math.h>
-#include <stdlib.h>
 
 static bool read_layer(struct image *layer, const char *path, const char *name) {
     bool encoded;

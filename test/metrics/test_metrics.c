@@ -1,8 +1,6 @@
 /* The metrics floor: errors by hand, FLIP against known values and against its definition. */
 #include "support.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "base/image.h"
 #include "flip_direct.h"
 #include "metrics/colour.h"
@@ -12,11 +10,6 @@
 #include "metrics/metric.h"
 #include "metrics/quantile.h"
 #include "metrics/summary.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static double measure(const char *name, const struct image *test, const struct image *reference) {
     struct comparison comparison = {

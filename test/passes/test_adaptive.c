@@ -6,11 +6,6 @@
 #include "passes/gather/blur.h"
 #include "passes/gather/adaptive.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { SIZE = 64, RADIUS = 2, BLUR = 4, LISTS = 4 };
 
 /* A frame, and the lists of a G-buffer. */

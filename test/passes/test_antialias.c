@@ -8,10 +8,6 @@
 
 #include <cglm/cglm.h>
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 enum { SIZE = 48, FINER = 8 };
 
 /* --- coverage of an outline ------------------------------------------------------------------- */

@@ -1,14 +1,8 @@
 /* The blur over a real G-buffer: what it keeps, and what it averages. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* A blur of its own over a renderer's G-buffer, from a picture of RGB the test fills. */
 struct blur_bench {

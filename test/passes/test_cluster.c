@@ -3,7 +3,6 @@
 #include "base/unit.h"
 #include "render_support.h"
 
-#include "base/error.h"
 #include "base/halton.h"
 #include "gl/framebuffer.h"
 #include "passes/frame.h"
@@ -11,10 +10,6 @@
 #include "shared/cluster.h"
 #include "shared/maps.h"
 #include "shared/vpl.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { POINTS = 60, CLUSTERS = 7, CLOUDS_MAX = 400 };
 

@@ -8,11 +8,6 @@
 #include "shared/vpl.h"
 #include "techniques/many_lights.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 static const char *const cornell_box = "scenes/cornell-box.glb";
 static const char *const cornell_animal = "scenes/cornell-animal.glb";
 

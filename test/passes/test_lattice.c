@@ -7,9 +7,6 @@
 #include "gl/program.h"
 #include "render_support.h"
 
-#include <math.h>
-#include <stdio.h>
-
 enum { SIDE = 64, APART = 127 }; /* pixels of a picture of 8K, one in APART along each side */
 
 static void read_numbers(float *numbers) {

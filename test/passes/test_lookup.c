@@ -4,16 +4,10 @@
 #include "lookup_direct.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/maps.h"
 #include "shared/view.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const char *const projection_names[] = {"paraboloid", "perspective", "orthographic"};
 static const char *const filter_names[] = {"none", "hard", "cssm", "pcss", "pcf"};

@@ -2,17 +2,11 @@
  * depth maps, bases. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/maps.h"
 #include "shared/maps.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* One frame of `clustered`, with all that its outputs say read back. */
 struct frame_of_vals {

@@ -3,17 +3,12 @@
  * filters make of them, where the answer is known. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/depth_bounds.h"
 #include "passes/visibility/sums.h"
 #include "shared/maps.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { LAYERS_TESTED = 2 };
 

@@ -14,11 +14,6 @@
 #include "reference/scene/emission.h"
 #include "scene/gpu/lobes.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 struct question {
     vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/specular.comp */
 };

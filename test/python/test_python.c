@@ -3,10 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Runs a script of test/python with the module of a folder. */
 static void run_script_of(const char *folder, const char *script) {
     need_module();

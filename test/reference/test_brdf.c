@@ -5,9 +5,6 @@
 #include "reference/sampler.h"
 #include "scene/lobe_albedo.h"
 
-#include <math.h>
-#include <string.h>
-
 static const vec3s up = {{0, 0, 1}};
 
 /* As if all were reflected at every angle: f0 = f90 = 1. */

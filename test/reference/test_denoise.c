@@ -1,13 +1,8 @@
 /* The a-trous filter on pictures made by hand, and `manylight reference --denoise`. */
 #include "command_support.h"
 
-#include "base/file/image_file.h"
 #include "base/image.h"
 #include "reference/atrous.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { SIZE = 64, COUNT = SIZE * SIZE };
 

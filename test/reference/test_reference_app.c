@@ -1,12 +1,8 @@
 /* manylight reference: the command, and its pictures against those of an independent path tracer */
 #include "support.h"
 
-#include "base/file/image_file.h"
 #include "base/image.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 enum { SIZE = 80 };

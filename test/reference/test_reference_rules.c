@@ -2,7 +2,6 @@
  * threads do not, and that its noise is as large as it says. */
 #include "hand_made.h"
 
-#include "base/error.h"
 #include "reference/sampler.h"
 #include "reference/scene/ray_scene.h"
 #include "reference/warp.h"

@@ -4,8 +4,6 @@
 
 #include "scene/lights/environment.h"
 
-#include <stdio.h>
-
 /* A floor, and at height 1/2 all of a half plane that is left of x = 0. */
 static void make_edge(struct world *world) {
     world_init(world);

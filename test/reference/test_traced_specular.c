@@ -5,8 +5,6 @@
 #include "reference/path.h"
 #include "scene/lights/environment.h"
 
-#include <stdio.h>
-
 static void make_metal(struct material *material, vec3s color, float roughness) {
     material->metalness = 1;
     material->roughness = roughness;

@@ -6,10 +6,6 @@
 #include "quality/picture.h"
 #include "techniques/volume.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 enum { SIZE = 64 };
 
 static const char small[] = "vpls=64 map-size=32 rsm-size=64 shadow-size=128 interleave=4";

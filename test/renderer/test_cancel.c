@@ -5,8 +5,6 @@
 #include "gl/cancel.h"
 #include "techniques/technique.h"
 
-#include <stdio.h>
-
 struct count {
     int asked, wanted; /* the question that is answered by yes */
 };

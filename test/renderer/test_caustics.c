@@ -2,8 +2,6 @@
 #include "smooth_stage.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <string.h>
 
 /* --- exact answers ---------------------------------------------------------------------------- */
 

@@ -4,8 +4,6 @@
 #include "command_support.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <string.h>
 
 static void set_absorption(struct stage *stage) {
     for (int m = 0; m < stage->scene.material_count; m++)

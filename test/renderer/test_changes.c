@@ -2,17 +2,12 @@
  * and what fails leaves it as it was. */
 #include "support.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "gl/context/context.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
 #include "renderer/renderer.h"
 #include "scene/placing.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
 enum { WIDTH = 48, HEIGHT = 40 };

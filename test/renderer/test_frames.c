@@ -3,10 +3,6 @@
  * written here: a change that is meant to change pictures renews them. */
 #include "render_support.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #define SMALL                                                                                      \
     "vpls=256,map-size=128,shadow-size=512,rsm-size=128,map-points=1024,row-column.rows=36,"       \
     "row-column.columns=64"

@@ -6,8 +6,6 @@
 #include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
 
 enum { RINGS = 48, SECTORS = 96, VERTICES = (RINGS + 1) * (SECTORS + 1) };
 enum { INDICES = 6 * RINGS * SECTORS, SKY_WIDTH = 256, SKY_HEIGHT = 128 };

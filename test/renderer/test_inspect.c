@@ -2,14 +2,9 @@
  * clicked on. */
 #include "render_support.h"
 
-#include "base/error.h"
 #include "gl/glsl.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
 

@@ -4,16 +4,11 @@
 
 #include "gltf_parts.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "quality/picture.h"
 #include "reference/scene/medium_ball.h"
 #include "scene/medium.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* --- a ray and a light ------------------------------------------------------------------------ */
 

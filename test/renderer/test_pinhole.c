@@ -8,9 +8,6 @@
 #include "scene/placing.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #define BOX "scenes/cornell-box.glb"
 

@@ -2,15 +2,9 @@
  * split. */
 #include "render_support.h"
 
-#include "base/file/image_file.h"
 #include "gl/pass.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SIZE = 48 };
 

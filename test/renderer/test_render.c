@@ -4,18 +4,11 @@
 #include "command_support.h"
 #include "render_support.h"
 
-#include "base/file/image_file.h"
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "passes/frame.h"
 #include "passes/gather/gather.h"
 #include "passes/vpls.h"
 #include "shared/vpl.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const char *const cornell_animal = "scenes/cornell-animal.glb";
 

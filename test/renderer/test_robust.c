@@ -2,9 +2,6 @@
  * nothing left in memory. */
 #include "render_support.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* A stage, and the renderer that follows from one picture of it to the next. */

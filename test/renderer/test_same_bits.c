@@ -5,11 +5,6 @@
 
 #include "base/file/file.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* The bytes of the scene's picture, rendered or traced, with these variables of the environment. */
 static struct file_bytes picture(const char *arguments, const char *environment) {
     struct file_bytes bytes;

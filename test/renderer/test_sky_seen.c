@@ -8,9 +8,6 @@
 #include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { SIZE = 48, DIRECTIONS = 12, PLACES = 4096, SEEDS = 4 };
 

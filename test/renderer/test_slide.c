@@ -4,7 +4,6 @@
 
 #include "tiny_png.h"
 
-#include "base/file/image_file.h"
 #include "quality/picture.h"
 #include "scene/lights/slide.h"
 #include "scene/open.h"

@@ -2,13 +2,8 @@
 #include "base/unit.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "scene/node.h"
 #include "scene/recentre.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* All columns: which of them stand for others turns on rounding, as other random numbers would. */
 static const char small[] = "vpls=256 vals=16 columns=256 map-size=64 rsm-size=128 shadow-size=256";

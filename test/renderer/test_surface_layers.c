@@ -3,16 +3,12 @@
 #include "command_support.h"
 #include "render_support.h"
 
-#include "base/file/image_file.h"
 #include "inspect/aov.h"
 #include "reference/path_tracer.h"
 #include "reference/primary.h"
 #include "scene/surface_layers.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { WIDTH = 90, HEIGHT = 60 };
 

@@ -3,16 +3,12 @@
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/clips.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "scene/read_rules.h"
-
-#include <math.h>
-#include <stdlib.h>
 
 /* Three keys' times at 64, values from 96 on. */
 enum { TIMES, VALUES = 8, EXTRA_FLOATS = 64 };

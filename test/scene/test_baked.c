@@ -8,11 +8,6 @@
 
 #include "quality/picture.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { SIZE = 96, VERTICES_MAX = 1024, INDICES_MAX = 4096, TEXELS = 32 };
 
 /* --- a mesh of several primitives in one buffer ----------------------------------------------- */

@@ -8,9 +8,6 @@
 #include "scene/mesh/geometry.h"
 #include "scene/mesh/pane_triangles.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 /* Sums area times what passes over parts left and right of x = .5, where alpha is .2 and .8. */
 static void check_halves(const struct scene *scene) {
     OWNED(geometry) geometry;

@@ -2,12 +2,7 @@
 #include "support.h"
 
 #include "base/halton.h"
-#include "base/memory.h"
 #include "scene/mesh/bvh_ray.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { TRIANGLES = 300, RAYS = 4000 };
 

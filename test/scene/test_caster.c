@@ -1,15 +1,9 @@
 /* Shadow casters: simplified, and with the long ones apart. */
 #include "support.h"
 
-#include "base/memory.h"
 #include "scene/mesh/caster.h"
 
 #include <cglm/util.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* A box of 12 triangles, each with vertices of its own, far from the origin and stretched, so that
  * midpoints round. Two faces are masked. */

@@ -1,13 +1,9 @@
 /* Casters on the GPU that are shared, kept and moved: what their buffers hold. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/shapes/metaballs.h"
-
-#include <stdlib.h>
-#include <string.h>
 
 static const struct caster_desc coarse = {.error = .002F, .long_count = 500};
 static const struct caster_desc few_long = {.error = .002F, .long_count = 4};

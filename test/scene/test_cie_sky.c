@@ -4,8 +4,6 @@
 #include "scene/lights/cie_sky.h"
 
 #include <cglm/util.h>
-#include <math.h>
-#include <stdio.h>
 
 static struct environment *make(const char *text) {
     struct environment *sky = NULL;

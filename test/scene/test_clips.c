@@ -4,15 +4,11 @@
 #include "command_support.h"
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "scene/animation.h"
 #include "scene/clips.h"
 #include "scene/mesh/geometry.h"
 #include "scene/node.h"
 #include "scene/open.h"
-
-#include <math.h>
-#include <stdlib.h>
 
 /* Two samplers move things from 0 to 4 m along x: in 1 s, and in 2 s. */
 static const float keys[] = {0, 1, 0, 2, 0, 0, 0, 4, 0, 0};

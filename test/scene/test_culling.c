@@ -2,14 +2,9 @@
  * pictures, and much of what is not. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "scene/gpu/culling.h"
 
 #include <cglm/cglm.h>
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* --- triangles -------------------------------------------------------------------------------- */
 

@@ -8,8 +8,6 @@
 #include "scene/open.h"
 #include "scene/placing.h"
 
-#include <stdlib.h>
-
 /* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards. */
 #define ACCESSORS "[" CUBE_ACCESSORS ", " PARTS_QUAD "]"
 

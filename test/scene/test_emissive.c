@@ -7,15 +7,12 @@
 
 #include "gltf_parts.h"
 
-#include "base/file/image_file.h"
 #include "scene/lights/emissive.h"
 #include "scene/lights/emissive_triangles.h"
 #include "scene/lights/lamp_parts.h"
 #include "scene/lights/light_bounds.h"
 #include "scene/node.h"
 #include "shared/light_tree.h"
-
-#include <stdio.h>
 
 /* --- the path tracer -------------------------------------------------------------------------- */
 

@@ -3,11 +3,8 @@
 #include "hand_made.h"
 
 #include "base/deal.h"
-#include "base/error.h"
 #include "scene/node.h"
 #include "scene/placing.h"
-
-#include <stdio.h>
 
 /* --- dealing ---------------------------------------------------------------------------------- */
 

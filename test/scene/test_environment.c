@@ -4,9 +4,7 @@
 
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "base/unit.h"
 #include "reference/channels.h"
 #include "quality/picture.h"
@@ -17,10 +15,6 @@
 #include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* A panorama whose texels tell where they are: R = column + 1, G = row + 1, B = 1. */
 static struct image numbered_picture(int width, int height) {

@@ -2,13 +2,7 @@
 #include "base/unit.h"
 #include "support.h"
 
-#include "base/memory.h"
 #include "lights/environment_fit.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { WIDTH = 128, HEIGHT = 64 };
 

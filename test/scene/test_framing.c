@@ -4,7 +4,6 @@
 #include "cube_parts.h"
 #include "render_support.h"
 
-#include "base/file/image_file.h"
 #include "base/log.h"
 
 enum { PICTURE = 160 };

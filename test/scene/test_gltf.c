@@ -2,13 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
 
-#include "base/file/image_file.h"
-#include "base/memory.h"
 #include "scene/material.h"
 #include "scene/mesh/geometry.h"
-
-#include <math.h>
-#include <stdlib.h>
 
 static struct scene load(const char *name, struct gltf_parts parts) {
     struct scene scene;

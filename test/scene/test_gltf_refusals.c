@@ -4,12 +4,9 @@
 #include "hostile_numbers.h"
 #include "hostile_parts.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
 
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>

@@ -3,15 +3,11 @@
 #define _GNU_SOURCE
 #include "support.h"
 
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/text.h"
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>

@@ -2,13 +2,8 @@
  * before. So are the faces of a box. */
 #include "support.h"
 
-#include "base/memory.h"
 #include "scene/lights/emissive.h"
 #include "scene/lights/emitter.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { PANELS_MAX = 60 };
 

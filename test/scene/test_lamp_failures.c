@@ -9,9 +9,6 @@
 #include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { WIDTH = 48, HEIGHT = 36 };
 

@@ -1,14 +1,10 @@
 /* Levels of detail: their triangles, which views choose them, and that instances have the same. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "scene/gpu/culling.h"
 #include "scene/mesh/simplify.h"
 
 #include <cglm/cglm.h>
-
-#include <stdlib.h>
-#include <string.h>
 
 /* Adds a node with the mesh of another, moved along x and scaled by 1.5. */
 static void add_instance(struct stage *stage, int of) {

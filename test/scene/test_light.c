@@ -7,11 +7,6 @@
 
 #include <cglm/cglm.h>
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* --- inside a diffuse sphere ------------------------------------------------------------------ */
 
 /* scenes/sphere.glb: radius 1, albedo 1/2, a point light of pi W/sr in the centre. Direct radiance

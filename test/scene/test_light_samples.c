@@ -5,8 +5,6 @@
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { SIZE = 64 };
 

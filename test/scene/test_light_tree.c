@@ -1,14 +1,9 @@
 /* The light tree beside sums over all lights, and the bounds of lights beside integrals. */
 #include "support.h"
 
-#include "base/memory.h"
 #include "base/unit.h"
 #include "scene/lights/light_tree.h"
 #include "shared/light_tree.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static uint32_t random_state;
 

@@ -9,9 +9,6 @@
 #include "scene/material.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { SIZE = 40, QUARTERS = 4 };
 

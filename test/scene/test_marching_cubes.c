@@ -7,7 +7,6 @@
 #include "scene/shapes/metaballs.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
 
 /* --- fields ----------------------------------------------------------------------------------- */
 

@@ -5,9 +5,6 @@
 #include "quality/picture.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
 

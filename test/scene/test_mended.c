@@ -3,13 +3,9 @@
 #define _GNU_SOURCE
 #include "mended_parts.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 /* Opens the file, and hears its notes. */

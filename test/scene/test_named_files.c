@@ -4,12 +4,9 @@
 #include "command_support.h"
 #include "hostile_numbers.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
-#include "base/file/image_file.h"
 #include "scene/read_rules.h"
 
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

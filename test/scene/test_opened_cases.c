@@ -4,10 +4,7 @@
 #include "gltf_parts.h"
 
 #include "base/image.h"
-#include "base/file/image_file.h"
 
-#include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 /* Whether the case is there; its path. */

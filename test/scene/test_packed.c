@@ -1,7 +1,6 @@
 /* Compressed glTF files, packed here by the libraries' own encoders, and what is wrong with some */
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/unpack.h"
 #include "scene/read_rules.h"

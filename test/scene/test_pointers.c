@@ -3,10 +3,7 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/error.h"
 #include "quality/picture.h"
-
-#include <stddef.h>
 
 enum { SIZE = 24 };
 

@@ -8,8 +8,6 @@
 #include "scene/lights/profile.h"
 
 #include <cglm/util.h>
-#include <math.h>
-#include <stdlib.h>
 
 /* --- files of known functions ----------------------------------------------------------------- */
 

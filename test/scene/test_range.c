@@ -11,7 +11,6 @@
 #include "techniques/technique.h"
 
 #include <cglm/cglm.h>
-#include <stdlib.h>
 
 enum { SIZE = 48 };
 

@@ -3,7 +3,6 @@
 #include "base/unit.h"
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "lights/view.h"
 #include "scene/camera.h"
 #include "scene/lights/brightness.h"
@@ -13,8 +12,6 @@
 #include "scene/open.h"
 #include "scene/room.h"
 #include "scene/stand_in.h"
-
-#include <math.h>
 
 static void load(struct scene *scene, struct geometry *geometry, const struct gltf_parts *parts) {
     check_ok("open", scene_open(scene, geometry, write_parts("scene.glb", parts), NULL));

@@ -2,7 +2,6 @@
  * out. */
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "lights/view.h"
 #include "scene/camera.h"
 #include "scene/hash.h"
@@ -15,7 +14,6 @@
 #include "scene/texture.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
 
 static float red_at(const struct scene_texture *texture, float u, float v) {
     static float table[256];

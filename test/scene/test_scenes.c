@@ -7,9 +7,6 @@
 #include "scene/medium.h"
 #include "scene/scene.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* What each scene must be. `open` names the nodes that need not be closed solids. */
 static const struct expectation {
     const char *name;

@@ -3,13 +3,10 @@
 #define _DEFAULT_SOURCE
 #include "support.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
 #include "fuzz/fuzz.h"
 
 #include <dirent.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /* Whole, and cut to half. */
 static void feed(void (*fuzz)(const uint8_t *, size_t), const char *path) {

@@ -5,8 +5,6 @@
 #include "scene/mesh/caster.h"
 #include "scene/mesh/solid.h"
 
-#include <string.h>
-
 /* --- made shapes ------------------------------------------------------------------------------ */
 
 enum { MOST = 64 };

@@ -4,8 +4,6 @@
 
 #include "support.h"
 
-#include <string.h>
-
 struct bytes {
     unsigned char data[32768];
     size_t size;

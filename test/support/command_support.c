@@ -1,12 +1,6 @@
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
-#include "base/memory.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 char output[1 << 16];
 
 int run_program(const char *format, ...) {

@@ -6,8 +6,6 @@
 
 #include "base/file/output_file.h"
 
-#include <stdio.h>
-
 struct exr_part {
     const char *name;     /* where there are several */
     const char *channels; /* "A B G R": in the order of their bytes */

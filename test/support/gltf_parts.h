@@ -6,9 +6,6 @@
 
 #include "scene/scene.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* What the buffer holds: positions at 0, indices at 48, a place for the test's own bytes at 64. */
 enum { PARTS_EXTRA = 64, PARTS_BIN = 64 + 256 };
 

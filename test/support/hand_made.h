@@ -5,14 +5,9 @@
 #include "base/unit.h"
 #include "support.h"
 
-#include "base/memory.h"
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/material.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { MAX_VERTICES = 20000, MAX_MATERIALS = 4 };
 

@@ -2,10 +2,6 @@
 
 #include "base/file/file.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 void check_call(const char *what, enum manylight_status status) {
     if (status)
         printf("    %s: status %d: %s\n", what, status, manylight_error());

@@ -6,8 +6,6 @@
 
 #include "reference/light_tracer.h"
 
-#include <stdio.h>
-
 enum { MATERIAL_FLOOR, MATERIAL_SMOOTH, MATERIAL_INNER };
 
 static inline void make_glass(struct material *material, float index) {

@@ -1,8 +1,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
 #include "gl/program.h"
@@ -18,10 +16,6 @@
 #include <cglm/cglm.h>
 
 #include <dlfcn.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 struct context *open_context(enum context_kind kind) {
     struct context *context = context_create(&(struct context_desc){.kind = kind, .debug = true});

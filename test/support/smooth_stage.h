@@ -6,12 +6,7 @@
 
 #include "gltf_parts.h"
 
-#include "base/memory.h"
-
 #include <cglm/cglm.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #define CHEAP "vpls=64 rsm-size=64 "
 #define PATCHES CHEAP "caustics.surface=patches caustics.size=64 "

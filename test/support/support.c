@@ -1,8 +1,6 @@
 #define _GNU_SOURCE
 #include "support.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 
@@ -10,10 +8,6 @@
 #include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,13 +1,22 @@
-/* What every test program uses: cmocka, and checks that print their values. */
+/* What every test program uses: cmocka, checks that print their values, and headers that most tests
+ * need. */
 #ifndef TEST_SUPPORT_H
 #define TEST_SUPPORT_H
 
+#include <math.h>
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <cmocka.h>
+
+#include "base/error.h"
+#include "base/file/image_file.h"
+#include "base/memory.h"
 
 /* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each
  * kind. */

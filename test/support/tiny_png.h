@@ -4,10 +4,6 @@
 
 #include "support.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 struct tiny_png {
     unsigned char *bytes;
     size_t size;

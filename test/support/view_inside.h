@@ -9,8 +9,6 @@
 #include "viewer/files/opening.h"
 #include "viewer/viewer.h"
 
-#include <string.h>
-
 /* A frame takes milliseconds. */
 #define CHEAP_SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
 

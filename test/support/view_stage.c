@@ -2,16 +2,10 @@
 #define _GNU_SOURCE
 #include "view_stage.h"
 
-#include "base/file/image_file.h"
-
 #include <dlfcn.h>
 #include <limits.h>
 #include <link.h>
-#include <math.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>

@@ -6,15 +6,9 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/shadow_map.h"
 #include "techniques/volume.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SHAPE_VERTICES = 20000 };
 

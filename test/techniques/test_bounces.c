@@ -2,7 +2,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/lights/bounce.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
@@ -10,10 +9,6 @@
 #include "shared/bounce.h"
 #include "shared/vpl.h"
 #include "techniques/many_lights.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /* --- inside a diffuse sphere ------------------------------------------------------------------ */
 

@@ -4,7 +4,6 @@
 #include "render_support.h"
 
 #include "base/halton.h"
-#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
 #include "gl/program.h"
@@ -14,11 +13,6 @@
 #include "shared/cluster.h"
 #include "shared/gather.h"
 #include "shared/vpl.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* --- rectangles ------------------------------------------------------------------------------- */
 

@@ -2,7 +2,6 @@
  * cosines beside them. */
 #include "volume_scenes.h"
 
-#include "base/error.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/material.h"

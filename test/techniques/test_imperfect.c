@@ -3,7 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/vpl_views.h"
 #include "scene/open.h"
@@ -13,11 +12,6 @@
 #include "techniques/imperfect-shadow-maps/fill.h"
 #include "techniques/imperfect-shadow-maps/splat.h"
 #include "scene/mesh/surface_points.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const char name[] = "imperfect-shadow-maps";
 

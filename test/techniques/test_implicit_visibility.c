@@ -3,7 +3,6 @@
 #include "volume_scenes.h"
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "techniques/implicit-visibility/light.h"
 
 struct radiosity {

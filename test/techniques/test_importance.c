@@ -3,14 +3,9 @@
 #include "render_support.h"
 
 #include "base/halton.h"
-#include "base/memory.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { PIXELS = 256, VALS = 30 };
 

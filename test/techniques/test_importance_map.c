@@ -1,14 +1,8 @@
 /* VPLs placed by importance: their light is right on the mean, and differs less from set to set. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "shared/importance_map.h"
 #include "techniques/many_lights.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { CELLS = VPL_DENSITY_SIDE * VPL_DENSITY_SIDE, SETS = 5, SIZE = 32 };
 

@@ -5,8 +5,6 @@
 #include "lab/measure/reference.h"
 #include "quality/picture.h"
 
-#include <stdio.h>
-
 enum { SIZE = 100 };
 
 static double error_of(struct measure_desc desc, const char *settings,

@@ -2,17 +2,11 @@
  * pictures against those of all VPLs. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/vpl_views.h"
 #include "shared/gather.h"
 #include "techniques/row-column/columns.h"
 #include "techniques/row-column/rows.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const char name[] = "row-column";
 

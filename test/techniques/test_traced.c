@@ -3,17 +3,11 @@
 #include "render_support.h"
 
 #include "base/halton.h"
-#include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "scene/gpu/caster_pool.h"
 #include "shared/vpl.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { PAIRS = 8192 };
 

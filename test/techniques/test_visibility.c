@@ -5,11 +5,6 @@
 
 #include <cglm/cglm.h>
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { SIZE = 200 };
 
 static struct image reference, unshadowed;

@@ -3,7 +3,6 @@
 #include "light_node.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/program.h"
 #include "passes/frame.h"
@@ -14,11 +13,6 @@
 #include "reference/vector.h"
 #include "shared/gather.h"
 #include "shared/vpl.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* No power of two. */
 enum { VPLS = 300, LEAVES = 512, SETS = 16, SIZE = 40, BLOCK = 8, BLOCKS = 5 };

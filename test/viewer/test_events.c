@@ -4,9 +4,6 @@
 
 #include "viewer/window/events.h"
 
-#include <stdio.h>
-#include <string.h>
-
 enum { CONTROL = 341 }; /* any code */
 
 /* Two letters an event: k and its key, pressed; K, released; t and a character; b B a button; m the

@@ -4,10 +4,6 @@
 
 #include "viewer/picture/pace.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 static struct timers timers;
 static struct pace pace;
 

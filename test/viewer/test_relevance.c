@@ -2,10 +2,6 @@
  * shown beside it has one. */
 #include "render_support.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define CHEAP                                                                                      \
     "vpls=64 vals=4 map.size=32 rsm-size=64 direct.shadow-size=128 interleave=4 adaptive=2 "
 

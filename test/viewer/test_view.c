@@ -3,9 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #define SCENE "scenes/cornell-box.glb"

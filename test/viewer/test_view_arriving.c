@@ -3,12 +3,9 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
-#include "base/error.h"
 #include "viewer/scene/sky.h"
 
 #include <stdatomic.h>
-#include <stdio.h>
-#include <string.h>
 
 static void begin(void) {
     begin_viewer(&(struct viewer_desc){.width = 100, .height = 90, .auto_exposure = true});

@@ -7,10 +7,6 @@
 #include "scene/placing.h"
 #include "viewer/scene/orbit.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -3,9 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* While shaders are compiled. */
 struct waiting {
     int turns, frames;

@@ -2,8 +2,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #define BOX "scenes/cornell-box.glb"

@@ -5,8 +5,6 @@
 #include "viewer/window/ui.h"
 #include "viewer/window/window.h"
 
-#include <stdio.h>
-
 static void begin(const char *scene) {
     begin_viewer(&(struct viewer_desc){.scene = scene, .width = 96, .height = 96});
     xdo("mousemove 40 40");

@@ -8,8 +8,6 @@
 
 #include "desktop.h"
 
-#include "base/error.h"
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "viewer/files/opening.h"
 #include "viewer/picture/look.h"
@@ -28,9 +26,6 @@
 #include <dlfcn.h>
 #include <link.h>
 #include <malloc.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static int rounds = 4;
 static struct viewer viewer;

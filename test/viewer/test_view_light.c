@@ -5,10 +5,6 @@
 
 #include "scene/placing.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #define BOX "scenes/cornell-box.glb"
 
 /* What is saved of the lights, as text and as lights. */

@@ -3,13 +3,8 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "base/file/image_file.h"
 #include "inspect/marks.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #define BOX "scenes/cornell-box.glb"

@@ -5,11 +5,6 @@
 
 #include "desktop.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #define BOX "scenes/cornell-box.glb"

@@ -2,10 +2,6 @@
  * widgets. By real input events. */
 #include "view_stage.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define BOX "scenes/cornell-box.glb"
 
 static void begin(const char *arguments) {

@@ -9,10 +9,6 @@
 #include "viewer/reference/tracing.h"
 #include "viewer/scene/sessions.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #define SCENE "scenes/cornell-box.glb"
 
 static void begin(void) {

@@ -4,8 +4,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/screenshot.h"
@@ -18,10 +16,6 @@
 #include "viewer/scene/sessions.h"
 #include "viewer/scene/sky.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

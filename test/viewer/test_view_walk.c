@@ -6,12 +6,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "base/file/image_file.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { SHEET_WIDTH = 440, STEPS_MAX = 6, COLUMNS = 3 };
 
 static const char *sheet_path;
