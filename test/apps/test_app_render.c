@@ -289,10 +289,9 @@ TEST(phases) {
 
 /* On a terminal, which script makes. */
 TEST(passes_progress) {
-    char command[1024];
     need_command("script -qec true /dev/null");
-    snprintf(command, sizeof command,
-             "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 "
+    const char *command =
+        form("script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 "
              "-o %s' /dev/null",
              binary_path(), scratch("passes-#.exr"));
     assert_int_equal(run_command(command, output, sizeof output), 0);

@@ -16,8 +16,8 @@ static void check_page(const char *kind, const char *name,
     static const char *const headings[] = {"# ",          "## Citation",
                                            "## Pipeline", "## Deviations from the paper",
                                            "## Settings", "## Known artefacts"};
-    char path[256], words[128];
-    snprintf(path, sizeof path, "src/%s/%s/README.md", kind, name);
+    char words[128];
+    const char *path = form("src/%s/%s/README.md", kind, name);
     char *text = file_read_text(path);
     if (!text)
         fail_msg("%s is missing: write it with the headings of the array above, as "

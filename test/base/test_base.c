@@ -276,8 +276,7 @@ TEST(words_and_names) {
     struct names names = {0};
     int count = 0;
     for (struct word word = {.at = " ,one, two=2,,three "}; word_next(&word); count++) {
-        char text[16];
-        snprintf(text, sizeof text, "%.*s", word.length, word.at);
+        const char *text = form("%.*s", word.length, word.at);
         names_add(&names, "; ", text);
         assert_int_equal(word_is(&word, "two=2"), count == 1);
         assert_false(word_is(&word, "thre") || word_is(&word, "threes"));

@@ -209,13 +209,12 @@ TEST(bright) {
 
 /* `compare` with itself, with 5 s of the CPU and 2 GiB. */
 static void check_exr_refused(const char *name, const struct exr *exr, const char *message) {
-    char command[1400];
     const char *path = write_exr(name, exr), *limit = "ulimit -v 2097152;";
 #ifdef __SANITIZE_ADDRESS__
     limit = "";
 #endif
-    snprintf(command, sizeof command, "ulimit -t 5; %s exec %s compare %s %s", limit, binary_path(),
-             path, path);
+    const char *command =
+        form("ulimit -t 5; %s exec %s compare %s %s", limit, binary_path(), path, path);
     int status = run_command(command, output, sizeof output);
     printf("    %-16s %d %s", name, status, output);
     assert_int_equal(status, 1);

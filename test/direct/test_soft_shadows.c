@@ -50,13 +50,12 @@ static double seen_share(const struct stand *stand, const float p[3]) {
 }
 
 static void open_stand(struct stage *stage, const struct stand *stand, double height) {
-    char nodes[2048];
     const char *more =
         form("extensionsUsed: [EXT_lights_area], cameras: [{type: perspective, perspective: {yfov: "
              "2.1, znear: 0.01}}], extensions: {EXT_lights_area: {lights: [%s]}},",
              stand->light);
-    snprintf(nodes, sizeof nodes,
-             "[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
+    const char *nodes =
+        form("[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
              "0, 0.45]}, {extensions: {EXT_lights_area: {light: 0}}, translation: [0, 0, %g]}, "
              "{mesh: 0, scale: [%g, %g, 1], translation: [%g, %g, %g]}]",
              light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1],
@@ -170,9 +169,8 @@ TEST(more) {
 /* A floor below a plate that fills the map, except for a thing far aside and near the light. The
  * plate's depth is then a part of the map's range: the series hides some of the light. */
 static void open_cover(struct stage *stage, double plate) {
-    char nodes[2048];
-    snprintf(nodes, sizeof nodes,
-             "[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
+    const char *nodes =
+        form("[{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, 0]}, {camera: 0, translation: [0, "
              "0, 0.04]}, {extensions: {EXT_lights_area: {light: 0}}, translation: [0, 0, %g]}, "
              "{mesh: 0, scale: [4, 4, 1], translation: [-2, -2, %g]}, {mesh: 0, scale: [0.1, 0.1, "
              "1], translation: [1, 1, 1.2]}]",

@@ -3,6 +3,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 
+#include "base/file/file.h"
+
 #include <unistd.h>
 
 static int bench(const char *arguments) {
@@ -15,20 +17,9 @@ static void check_runs(const char *arguments) {
 }
 
 static char *read_text(const char *path) {
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    char *text = calloc(1, 1 << 20);
-    size_t size = fread(text, 1, (1 << 20) - 1, file);
-    fclose(file);
-    assert_true(size > 0);
+    char *text = file_read_text(path);
+    check_ok(path, text && *text);
     return text;
-}
-
-static int count_of(const char *text, const char *part) {
-    int count = 0;
-    for (const char *at = text; (at = strstr(at, part)); at++)
-        count++;
-    return count;
 }
 
 /* Every row has as many cells as the first; returns the number of rows below it. */
@@ -52,11 +43,10 @@ static int check_csv(const char *text) {
 
 TEST(times) {
     const char *csv = scratch("bench.csv");
-    const char *arguments =
+    check_runs(
         form("times scenes/cornell-box.glb --size 24x16 --frames 2 --set map-size=32 --set vals=4 "
              "--variant paper --variant fast --variant none:technique=unshadowed --csv %s",
-             csv);
-    check_runs(arguments);
+             csv));
     static const char *const parts[] = {
         "Table 1",
         "cornell-box, 36 faces, 24x16",
@@ -79,27 +69,24 @@ TEST(times) {
         fail_msg("a pass belongs to no step:\n%s", output);
     char *text = read_text(csv);
     assert_true(check_csv(text) > 10);
-    assert_non_null(
-        strstr(text, "\ntimes,cornell-box,36,24,16,clustered,fast,,clustered.vals=4 map.size=32,"
-                     "frame/maps/depth maps,,ms,"));
-    assert_non_null(strstr(text, ",unshadowed,none,,clustered.vals=4 map.size=32,clock,,ms,"));
+    expect_in(text, "\ntimes,cornell-box,36,24,16,clustered,fast,,clustered.vals=4 map.size=32,"
+                    "frame/maps/depth maps,,ms,");
+    expect_in(text, ",unshadowed,none,,clustered.vals=4 map.size=32,clock,,ms,");
     free(text);
 }
 
 /* Whole frames alone: the clock and the CPU, and no pass. */
 TEST(times_of_whole_frames) {
     const char *csv = scratch("whole.csv");
-    const char *arguments =
-        form("times scenes/cornell-box.glb --size 24x16 --frames 2 --whole-frames "
-             "--set map-size=32 --set vals=4 --variant fast --csv %s",
-             csv);
-    check_runs(arguments);
+    check_runs(form("times scenes/cornell-box.glb --size 24x16 --frames 2 --whole-frames "
+                    "--set map-size=32 --set vals=4 --variant fast --csv %s",
+                    csv));
     expect_text("Table 1");
     assert_null(strstr(output, "Table 2"));
     char *text = read_text(csv);
     assert_int_equal(check_csv(text), 5);
-    assert_int_equal(count_of(text, ",clock,,ms,") + count_of(text, ",cpu,,ms,"), 2);
-    assert_int_equal(count_of(text, ",frame,") + count_of(text, ",frame/"), 0);
+    assert_int_equal(count_text(text, ",clock,,ms,") + count_text(text, ",cpu,,ms,"), 2);
+    assert_int_equal(count_text(text, ",frame,") + count_text(text, ",frame/"), 0);
     free(text);
 }
 
@@ -124,13 +111,10 @@ TEST(picture_of_times) {
 LONG_TEST(times_by_light) {
     static const char *const lights[] = {"", " --light 0", " --light sky"};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
-        char arguments[1024];
-        snprintf(
-            arguments, sizeof arguments,
+        check_runs(form(
             "times scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 --set vals=4 "
             "--set sky.lights=6 --variant fast --environment scenes/overcast.hdr%s",
-            lights[i]);
-        check_runs(arguments);
+            lights[i]));
         bool sky = strstr(output, "frame/sky blocks") != NULL;
         printf("    all%s: %s of the sky\n", lights[i], sky ? "passes" : "no pass");
         assert_int_equal(sky, i != 1);
@@ -140,13 +124,12 @@ LONG_TEST(times_by_light) {
 /* A sweep measures errors against a reference that the second run finds where the first put it. */
 TEST(sweep_and_cache) {
     const char *cache = scratch("bench-cache"), *csv = scratch("sweep.csv");
-    const char *remove = form("rm -rf %s", cache);
-    assert_int_equal(run_command(remove, output, sizeof output), 0);
     const char *arguments =
         form("sweep scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 "
              "--vary M=2,8 --vary visibility=cssm,hard --variant fast --tracer --noise .1 "
              "--cache %s --csv %s",
              cache, csv);
+    expect(0, "rm -rf @/bench-cache");
     check_runs(arguments);
     expect_text("making reference");
     expect_text("  fast hard                vals=8 ");
@@ -156,10 +139,10 @@ TEST(sweep_and_cache) {
     assert_null(strstr(output, "making reference"));
     char *text = read_text(csv);
     check_csv(text);
-    assert_non_null(strstr(text, "24,16,,denoised tracer,spp=1,,cpu,,ms,"));
-    assert_non_null(strstr(text, ",baseline-at-rmse,,x,"));
-    assert_non_null(strstr(text, ",fast hard,vals=8,clustered.vals=8 clustered.visibility=hard "
-                                 "map.size=32,relative-rmse,path,%,"));
+    expect_in(text, "24,16,,denoised tracer,spp=1,,cpu,,ms,");
+    expect_in(text, ",baseline-at-rmse,,x,");
+    expect_in(text, ",fast hard,vals=8,clustered.vals=8 clustered.visibility=hard "
+                    "map.size=32,relative-rmse,path,%,");
     free(text);
 }
 
@@ -167,12 +150,11 @@ TEST(sweep_and_cache) {
 LONG_TEST(ambient_occlusion) {
     double error[2] = {0};
     const char *csv = scratch("ao.csv");
-    const char *arguments =
+    check_runs(
         form("sweep scenes/cornell-box.glb --size 40x40 --frames 1 --variant "
              "u:technique=unshadowed,volume.ao-distance=.2 --vary volume.size=16,64 --reference ao "
              "--noise .1 --cache %s --csv %s",
-             scratch("ao-cache"), csv);
-    check_runs(arguments);
+             scratch("ao-cache"), csv));
     char *text = read_text(csv);
     for (int i = 0; i < 2; i++) {
         char *row = strstr(text, i ? "volume.size=64" : "volume.size=16");
@@ -210,10 +192,10 @@ TEST(chart) {
     draw("sweep.csv", "charts");
     expect_text("cornell-box.svg");
     char *text = read_text(svg);
-    assert_non_null(strstr(text, "faces), 24x16"));
-    assert_non_null(strstr(text, "Pareto front"));
-    assert_non_null(strstr(text, "denoised tracer"));
-    assert_non_null(strstr(text, "M=8"));
+    expect_in(text, "faces), 24x16");
+    expect_in(text, "Pareto front");
+    expect_in(text, "denoised tracer");
+    expect_in(text, "M=8");
     free(text);
     text = read_text(png);
     assert_memory_equal(text + 1, "PNG", 3);
@@ -243,12 +225,12 @@ TEST(front) {
     expect_text("box.svg");
     expect_text("box-36.svg");
     char *text = read_text(scratch("front/box-36.svg"));
-    assert_non_null(strstr(text, "box (36 faces)"));
+    expect_in(text, "box (36 faces)");
     /* gnuplot's sixth mark is the ring's, with which the seventh is made. */
-    assert_int_equal(count_of(text, "'#gpPt5' transform"), 3);
+    assert_int_equal(count_text(text, "'#gpPt5' transform"), 3);
     for (int i = 1; i <= 5; i++) {
         const char *label = form("M=%d", i);
-        assert_non_null(strstr(text, label));
+        expect_in(text, label);
     }
     free(text);
 }
@@ -268,7 +250,7 @@ TEST(other_charts) {
     for (int i = 0; i < 3; i++)
         expect_text(files[i]);
     char *text = read_text(scratch("others/box-vals.svg"));
-    assert_non_null(strstr(text, "a curve's name, RMSE"));
+    expect_in(text, "a curve's name, RMSE");
     free(text);
 }
 
@@ -291,7 +273,7 @@ TEST(odd_names) {
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         expect_text(files[i]);
-    assert_int_equal(count_of(output, ".svg"), (int)(sizeof files / sizeof *files));
+    assert_int_equal(count_text(output, ".svg"), (int)(sizeof files / sizeof *files));
     assert_int_equal(access("x", F_OK), -1);
 }
 
@@ -312,10 +294,8 @@ static double number_of(const char *text, const char *row, int column) {
 /* The chain from the reference to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
 TEST(budget) {
     const char *csv = scratch("budget.csv");
-    const char *arguments =
-        form("budget scenes/cornell-box.glb --size 48x48 --noise .1 --cache %s --csv %s -q",
-             scratch("bench-cache"), csv);
-    check_runs(arguments);
+    check_runs(form("budget scenes/cornell-box.glb --size 48x48 --noise .1 --cache %s --csv %s -q",
+                    scratch("bench-cache"), csv));
     const char *so_far = strstr(output, "against the reference: ");
     assert_non_null(so_far);
     /* Maps see what rays see: a leak or a shifted map costs tens of percent. */
@@ -340,32 +320,27 @@ TEST(budget) {
  * Bounds are loose: 32 x 32 pixels, 10 % noise. */
 TEST(quality) {
     const char *csv = scratch("quality.csv");
-    const char *arguments =
-        form("quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s --csv %s -q "
-             "--passes %d --set vpls=64,map.size=32,vals=4",
-             scratch("bench-cache"), csv, is_long_run() ? 4 : 1);
-    check_runs(arguments);
+    check_runs(form("quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s --csv %s -q "
+                    "--passes %d --set vpls=64,map.size=32,vals=4",
+                    scratch("bench-cache"), csv, is_long_run() ? 4 : 1));
     double estimated = number_of(output, "error=30%", 0), error = number_of(output, "error=30%", 1);
     check_near("estimated over measured", estimated / error, 1, .4);
     check_near("of the error asked for", number_of(output, "error=30%", 2), error / 30, .01);
     check_at_most("CPU ms of 30 %", number_of(output, "error=30%", 3),
                   1.5 * number_of(output, "error=2%", 3));
-    char *text = read_text(csv), command[1024];
+    char *text = read_text(csv);
     check_csv(text);
     free(text);
-    snprintf(command, sizeof command, "awk -f bench/leave-one-out.awk %s", csv);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    printf("%s", output);
+    expect(0, form("awk -f bench/leave-one-out.awk %s", csv));
     expect_text("| cornell-box | nothing to learn from | (1.0");
 }
 
 /* A camera that is nearer changes the estimate as it changes the error. */
 LONG_TEST(quality_closer) {
-    const char *arguments =
+    check_runs(
         form("quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
              "--set vpls=64,map.size=32,vals=4 --estimates --camera \"0 fov=.5\"",
-             scratch("bench-cache"));
-    check_runs(arguments);
+             scratch("bench-cache")));
     double closer =
         number_of(output, "clustered.vals=4 ", 0) / number_of(output, "clustered.vals=4 ", 1);
     check_near("estimated over measured, closer", closer, 1, .2);
@@ -376,20 +351,18 @@ LONG_TEST(quality_closer) {
  * is drawn. */
 TEST(direct) {
     const char *csv = scratch("direct.csv");
-    const char *arguments =
-        form("direct scenes/table.glb --size 64x64 --frames 1 --noise .03 --set texels=256 "
-             "--set shadow-size=512 --variant hard:direct=hard,technique=unshadowed "
-             "--variant msm:direct=msm,technique=unshadowed --variant "
-             "pcss:direct=pcss,technique=unshadowed --cache %s --csv %s -q",
-             scratch("bench-cache"), csv);
-    check_runs(arguments);
+    check_runs(form("direct scenes/table.glb --size 64x64 --frames 1 --noise .03 --set texels=256 "
+                    "--set shadow-size=512 --variant hard:direct=hard,technique=unshadowed "
+                    "--variant msm:direct=msm,technique=unshadowed --variant "
+                    "pcss:direct=pcss,technique=unshadowed --cache %s --csv %s -q",
+                    scratch("bench-cache"), csv));
     expect_text("share of the lights that is seen: table");
     check_at_most("pcss, %", number_of(output, "  pcss                    ", 2), 5);
     check_at_most("msm, %", number_of(output, "  msm                     ", 2), 7);
     check_at_most("-hard, %", -number_of(output, "  hard                    ", 2), -9);
     char *text = read_text(csv);
     check_csv(text);
-    assert_non_null(strstr(text, "visible-share-all,seen,%,"));
+    expect_in(text, "visible-share-all,seen,%,");
     free(text);
     draw("direct.csv", "charts");
     expect_text("table-direct.svg");
@@ -420,13 +393,10 @@ TEST(help) {
     for (int i = 0; i < MODES; i++)
         expect_text(modes[i]);
     for (int i = 0; i < MODES; i++) {
-        char arguments[64];
         if (!is_tried_here((size_t)i, 3))
             continue;
-        snprintf(arguments, sizeof arguments, "%s --help", modes[i]);
-        check_runs(arguments);
-        snprintf(arguments, sizeof arguments, "usage: manylight bench %s ", modes[i]);
-        expect_text(arguments);
+        check_runs(form("%s --help", modes[i]));
+        expect_text(form("usage: manylight bench %s ", modes[i]));
     }
 }
 

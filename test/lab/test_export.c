@@ -225,12 +225,11 @@ TEST(chosen_lights) {
 /* Draws a small picture of the box by a script of bench/entries/, and compares it. */
 static void check_entry(const char *command, const char *pack, double most_bias,
                         double most_error) {
-    char line[512];
     double error = NAN, bias = NAN;
     expect(0, "mkdir -p @/references; ls @/references/*.exr || % reference scenes/cornell-box.glb"
               " --size 48x48 --spp 256 -q -o @/references/cornell-box.48x48.exr");
-    snprintf(line, sizeof line,
-             "rm -rf @/%s @/entry; %% export scenes/cornell-box.glb -o @/%s --size 48x48 -q && %s >"
+    const char *line =
+        form("rm -rf @/%s @/entry; %% export scenes/cornell-box.glb -o @/%s --size 48x48 -q && %s >"
              " @/log.txt 2>&1 || { tail -5 @/log.txt; exit 1; }",
              pack, pack, command);
     expect(0, line);

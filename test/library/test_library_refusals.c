@@ -12,18 +12,16 @@
 /* The program ends with "manylight render: MESSAGE", and more of wrong usage. */
 static void check_words(enum manylight_status status, enum manylight_status wanted,
                         const char *line) {
-    char words[2200];
     printf("    status %d: %s\n", status, manylight_error());
     assert_int_equal(status, wanted);
     run_line(line);
-    snprintf(words, sizeof words, ": %s\n", manylight_error());
+    const char *words = form(": %s\n", manylight_error());
     expect_text(words);
 }
 
 static void check_broken_file(const char *path) {
     struct manylight_scene *scene;
-    char line[512];
-    snprintf(line, sizeof line, "%% render %s -o @/x.exr", path);
+    const char *line = form("%% render %s -o @/x.exr", path);
     check_words(manylight_scene_open(SCENE(.path = path), &scene), MANYLIGHT_BAD_SCENE, line);
     assert_null(scene);
 }
@@ -244,11 +242,10 @@ TEST(settings) {
     struct manylight_renderer *renderer;
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         struct manylight_renderer_desc desc = settings[i].desc;
-        char line[256];
         desc.size = sizeof desc;
         enum manylight_status status = manylight_renderer_create(device, scene, &desc, &renderer);
         assert_null(renderer);
-        snprintf(line, sizeof line, "%% render " BOX " -o @/x.exr %s", settings[i].arguments);
+        const char *line = form("%% render " BOX " -o @/x.exr %s", settings[i].arguments);
         if (settings[i].words)
             check_failed(status, settings[i].status, settings[i].words);
         else

@@ -301,8 +301,7 @@ TEST(plane_of_balls) {
 /* Of the layer, over both pictures' pixels: mean |difference| over the mean of the reference. */
 static double relative_mae(const struct image *got, const struct image *reference,
                            const char *layer) {
-    char first[64];
-    snprintf(first, sizeof first, "%s.R", layer);
+    const char *first = form("%s.R", layer);
     int a = image_find_channel(got, first), b = image_find_channel(reference, first);
     double sum = 0, mean = 0;
     for (int y = 0; y < got->height; y++)

@@ -10,8 +10,7 @@ static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=
 
 static void open_frame(struct stage *stage, struct renderer *renderer, const char *technique,
                        const char *settings) {
-    char all[256];
-    snprintf(all, sizeof all, "%s %s", small, settings);
+    const char *all = form("%s %s", small, settings);
     *stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(stage, technique, all, 48, 32);
     open_renderer(renderer, desc);

@@ -73,9 +73,8 @@ static const struct row {
 
 static const char *write_row(const struct row *row) {
     struct cube_bytes cube = make_cube();
-    char materials[512];
-    snprintf(materials, sizeof materials,
-             "[{pbrMetallicRoughness: {metallicFactor: 0}}, {emissiveFactor: [%s, %s, %s], "
+    const char *materials =
+        form("[{pbrMetallicRoughness: {metallicFactor: 0}}, {emissiveFactor: [%s, %s, %s], "
              "extensions: {KHR_materials_emissive_strength: {emissiveStrength: %s}}}]",
              row->emission, row->emission, row->emission, row->strength);
     const char *nodes = form("[%s]", row->nodes);

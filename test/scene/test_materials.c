@@ -41,8 +41,7 @@ static void read_at(const struct image *image, const char *layer, int row, int c
     const float *pixel =
         image_at(image, (int)(WIDTH / 2 + right * scale), (int)(HEIGHT / 2 - (up - 2) * scale));
     for (int c = 0; c < 3; c++) {
-        char name[32];
-        snprintf(name, sizeof name, "%s%s%s", layer, *layer ? "." : "", ends[c]);
+        const char *name = form("%s%s%s", layer, *layer ? "." : "", ends[c]);
         int channel = image_find_channel(image, name);
         assert_true(channel >= 0);
         value[c] = pixel[channel];

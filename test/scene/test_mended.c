@@ -108,14 +108,13 @@ static const struct keys good_keys = {
 
 static void check_clip(const char *what, const struct keys *keys, const char *output,
                        const char *sampler, const char *target, const char *note) {
-    char more[1024];
     const char *accessors =
         form("[{bufferView: 0," VECTORS "}, {bufferView: 0, byteOffset: 48," INDEX_TYPE
              "}, " FLOATS("64", "2", "SCALAR") ", " FLOATS("72", "2", "VEC3") ", " FLOATS(
                  "96", "3", "SCALAR") ", %s]",
              output);
-    snprintf(more, sizeof more,
-             "animations: [{name: both, samplers: [{input: 2, output: 3}, %s], channels: "
+    const char *more =
+        form("animations: [{name: both, samplers: [{input: 2, output: 3}, %s], channels: "
              "[{sampler: 1, %s}, {sampler: 0, target: {node: 0, path: translation}}]}],",
              sampler, target);
     const struct gltf_parts parts = {

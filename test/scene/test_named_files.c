@@ -256,9 +256,8 @@ static void check_data(const char *head, const char *extension,
     if (!knows_format(extension))
         return; /* made here by writing one */
     static char uri[1 << 13];
-    char name[64];
     struct file_bytes bytes;
-    snprintf(name, sizeof name, "data.%s", extension);
+    const char *name = form("data.%s", extension);
     write_colour(scratch(name));
     check_ok(name, file_read(&bytes, scratch(name)));
     assert_true(bytes.size * 4 + 100 < sizeof uri);

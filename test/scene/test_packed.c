@@ -37,8 +37,8 @@ static struct packed_quad pack_quad(void) {
 static bool load_marked(struct scene *scene, const struct packed_quad *quad, int count,
                         const char *mark) {
     const char *extension = quad->extension ? quad->extension : "EXT_meshopt_compression";
-    char buffers[256], required[64];
-    snprintf(buffers, sizeof buffers, "[{byteLength: 320}, {byteLength: 60%s}]", mark);
+    char required[64];
+    const char *buffers = form("[{byteLength: 320}, {byteLength: 60%s}]", mark);
     char views[1024];
     snprintf(views, sizeof views,
              "[{buffer: 1, byteLength: 48, extensions: {'%s': {buffer: 0, byteOffset: 64, "

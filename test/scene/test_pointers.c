@@ -248,10 +248,9 @@ static struct image trace(struct stage *stage) {
 /* A renderer that follows shows at each time what a new one shows, and so does the path tracer. */
 static void check_followed(const char *pointer, const float *values, int width,
                            const char *technique, const char *settings) {
-    char channel[256];
     struct stage stage, fresh;
     struct renderer renderer;
-    snprintf(channel, sizeof channel, TARGET("%s"), pointer);
+    const char *channel = form(TARGET("%s"), pointer);
     const char *path = write_clip(channel, values, width);
     stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, technique, settings, SIZE, SIZE);

@@ -87,15 +87,14 @@ static struct {
 static void open_room(struct stage *stage, const char *range) {
     static const uint8_t faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
                                         {4, 6, 7, 5}, {0, 1, 3, 2}, {2, 3, 7, 6}};
-    char more[512];
     for (int i = 0; i < 8; i++)
         for (int c = 0; c < 3; c++)
             cube.corners[i][c] = i >> c & 1 ? 1 : -1;
     for (int f = 0; f < 6; f++)
         for (int k = 0; k < 6; k++)
             cube.inwards[f * 6 + k] = faces[f][k < 3 ? k : k == 3 ? 0 : k - 2];
-    snprintf(more, sizeof more,
-             "cameras: [{type: perspective, perspective: {yfov: 1.5, znear: 0.01}}], extensions: "
+    const char *more =
+        form("cameras: [{type: perspective, perspective: {yfov: 1.5, znear: 0.01}}], extensions: "
              "{KHR_lights_punctual: {lights: [" POINT("%s") "]}},",
              range);
     *stage = open_stage(write_parts(

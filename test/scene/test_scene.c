@@ -245,11 +245,10 @@ TEST(framing) {
 /* A note says by how much to stop down, and only where it is much. */
 static void check_brightness_note(const struct scene *scene, const struct geometry *geometry,
                                   double stops) {
-    char expected[32];
     hear_notes();
     scene_note_brightness(scene, geometry);
     end_notes();
-    snprintf(expected, sizeof expected, "--set exposure=%.0f", -stops);
+    const char *expected = form("--set exposure=%.0f", -stops);
     printf("    %s\n", *notes ? notes : "no note");
     assert_true(stops > 6 ? strstr(notes, expected) != NULL : *notes == '\0');
 }

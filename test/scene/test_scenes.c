@@ -97,8 +97,7 @@ static struct surface weld(const struct primitive *primitive) {
 static bool may_be_open(const struct expectation *expected, const struct scene *scene,
                         const struct node *node) {
     const struct primitive *primitive = &scene->meshes[node->mesh].primitives[0];
-    char quoted[SCENE_NAME_SIZE + 2];
-    snprintf(quoted, sizeof quoted, "|%s|", node->name);
+    const char *quoted = form("|%s|", node->name);
     return scene->materials[primitive->material].double_sided || strstr(expected->open, quoted);
 }
 

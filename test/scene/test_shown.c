@@ -95,9 +95,8 @@ TEST(hidden_lights) {
     static const char *const flags[] = {"true", "false"};
     for (int hidden = 0; hidden < 2; hidden++) {
         struct opened opened;
-        char nodes[512];
-        snprintf(nodes, sizeof nodes,
-                 "[{children: [1, 2, 3], extensions: {KHR_node_visibility: {visible: %s}}}, {mesh: "
+        const char *nodes =
+            form("[{children: [1, 2, 3], extensions: {KHR_node_visibility: {visible: %s}}}, {mesh: "
                  "0}, {extensions: {KHR_lights_punctual: {light: 0}}}, {camera: 0}]",
                  flags[hidden]);
         const struct gltf_parts parts = {

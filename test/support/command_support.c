@@ -43,8 +43,7 @@ void expect(int status, const char *line) {
 }
 
 void expect_command(int status, const char *command, const char *arguments) {
-    char line[4096];
-    snprintf(line, sizeof line, "%% %s %s", command, arguments);
+    const char *line = form("%% %s %s", command, arguments);
     expect(status, line);
 }
 

@@ -105,7 +105,6 @@ static inline void turn_shape(struct shape *shape, float angle, vec3s axis) {
  * the shape. */
 static inline void open_shape(struct stage *stage, struct shape *shape, double albedo,
                               bool two_sided, vec3s light) {
-    char text[2048];
     size_t vectors = (size_t)shape->vertex_count * 12, indices = (size_t)shape->index_count * 4;
     const char *path = scratch("shape.gltf"), *data = scratch("shape.bin");
     FILE *file = fopen(data, "wb");
@@ -113,20 +112,19 @@ static inline void open_shape(struct stage *stage, struct shape *shape, double a
     assert_true(fwrite(shape->position, 1, vectors, file) == vectors &&
                 fwrite(shape->normal, 1, vectors, file) == vectors &&
                 fwrite(shape->indices, 1, indices, file) == indices && fclose(file) == 0);
-    snprintf(text, sizeof text,
-             "{asset:{version:'2.0'},extensionsUsed:[KHR_lights_punctual],extensions:{KHR_lights_"
-             "punctual:{lights:[{type:point,intensity:1}]}},buffers:[{byteLength:%zu,uri:'shape."
-             "bin'}],bufferViews:[{buffer:0,byteLength:%zu},{buffer:0,byteOffset:%zu,byteLength:%"
-             "zu},{buffer:0,byteOffset:%zu,byteLength:%zu}],accessors:[{bufferView:0,componentType:"
-             "5126,count:%d,type:VEC3},{bufferView:1,componentType:5126,count:%d,type:VEC3},{"
-             "bufferView:2,componentType:5125,count:%d,type:SCALAR}],materials:[{doubleSided:%s,"
-             "pbrMetallicRoughness:{metallicFactor:0,baseColorFactor:[%g,%g,%g,1]}}],meshes:[{"
-             "primitives:[{attributes:{POSITION:0,NORMAL:1},indices:2,material:0}]}],nodes:[{mesh:"
-             "0},{translation:[%g,%g,%g],extensions:{KHR_lights_punctual:{light:0}}}]}",
-             2 * vectors + indices, vectors, vectors, vectors, 2 * vectors, indices,
-             shape->vertex_count, shape->vertex_count, shape->index_count,
-             two_sided ? "true" : "false", albedo, albedo, albedo, (double)light.x, (double)light.y,
-             (double)light.z);
+    const char *text = form(
+        "{asset:{version:'2.0'},extensionsUsed:[KHR_lights_punctual],extensions:{KHR_lights_"
+        "punctual:{lights:[{type:point,intensity:1}]}},buffers:[{byteLength:%zu,uri:'shape."
+        "bin'}],bufferViews:[{buffer:0,byteLength:%zu},{buffer:0,byteOffset:%zu,byteLength:%"
+        "zu},{buffer:0,byteOffset:%zu,byteLength:%zu}],accessors:[{bufferView:0,componentType:"
+        "5126,count:%d,type:VEC3},{bufferView:1,componentType:5126,count:%d,type:VEC3},{"
+        "bufferView:2,componentType:5125,count:%d,type:SCALAR}],materials:[{doubleSided:%s,"
+        "pbrMetallicRoughness:{metallicFactor:0,baseColorFactor:[%g,%g,%g,1]}}],meshes:[{"
+        "primitives:[{attributes:{POSITION:0,NORMAL:1},indices:2,material:0}]}],nodes:[{mesh:"
+        "0},{translation:[%g,%g,%g],extensions:{KHR_lights_punctual:{light:0}}}]}",
+        2 * vectors + indices, vectors, vectors, vectors, 2 * vectors, indices, shape->vertex_count,
+        shape->vertex_count, shape->index_count, two_sided ? "true" : "false", albedo, albedo,
+        albedo, (double)light.x, (double)light.y, (double)light.z);
     write_text(path, text);
     *stage = open_stage(path);
     free(shape);

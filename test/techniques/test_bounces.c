@@ -27,9 +27,8 @@ static void check_furnace(const struct stage *stage, const char *technique, int 
                           const char *more, double tolerance) {
     double before = 0;
     for (int bounces = 1; bounces <= 8; bounces *= 2) {
-        char settings[160], what[64];
-        snprintf(settings, sizeof settings, "clamp=none bounces=%d paths=%d %s", bounces, paths,
-                 more);
+        char what[64];
+        const char *settings = form("clamp=none bounces=%d paths=%d %s", bounces, paths, more);
         double mean = mean_indirect(stage, technique, settings), exact = 1 - pow(.5, bounces);
         snprintf(what, sizeof what, "%s, %d bounces", technique, bounces);
         check_near(what, mean / exact, 1, tolerance);
@@ -98,10 +97,9 @@ static struct vpl *read_later(const struct stage *stage, const char *settings, i
 /* What paths leave of all later bounces, and the VPLs of the first one. */
 static void read_fluxes(const struct stage *stage, int bounces, double *first, double *later,
                         int *black) {
-    char settings[64];
     struct renderer renderer;
     struct output_list outputs;
-    snprintf(settings, sizeof settings, "bounces=%d vpls=1024 vals=8 map-size=64", bounces);
+    const char *settings = form("bounces=%d vpls=1024 vals=8 map-size=64", bounces);
     struct renderer_desc desc = desc_of(stage, "clustered", settings, 32, 32);
     open_renderer(&renderer, desc);
     renderer_outputs(&renderer, &outputs);
