@@ -6,8 +6,6 @@
 #include "gltf_parts.h"
 
 #include "direct/direct.h"
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "reference/scene/emission.h"
 #include "scene/placing.h"
 
@@ -266,12 +264,8 @@ TEST(table) {
     } methods[] = {{"hard", .08, .3}, {"pcss", 0, .03}, {"samples", 0, .02},
                    {"vssm", 0, .03},  {"msm", 0, .03},  {"cssm", 0, .2}};
     OWNED(stage) stage = open_stage("scenes/table.glb");
-    OWNED(image) reference;
-    check_ok("reference",
-             picture_trace_paths(&stage,
-                                 &(struct path_tracer_desc){
-                                     .width = SIZE, .height = SIZE, .samples = 64, .centers = true},
-                                 &reference, NULL));
+    OWNED(image) reference =
+        TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 64, .centers = true);
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         double error = share_error(&stage, methods[i].method, "", &reference);
         check_at_most(methods[i].method, error, methods[i].most);
@@ -343,18 +337,14 @@ TEST(extremes) {
     static const char *const methods[] = {"hard", "pcss", "samples", "vssm", "msm", "cssm"};
     OWNED(stage) stage = open_stage("scenes/table.glb");
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
-        struct image reference;
         for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
             if (!is_tried_here(i + m, 2))
                 continue;
             OWNED(image) layers = render_lights(&stage, lights[i], methods[m]);
             check_finite(lights[i], &layers);
         }
-        check_ok("reference",
-                 picture_trace_paths(&stage,
-                                     &(struct path_tracer_desc){
-                                         .width = 16, .height = 16, .bounces = 1, .samples = 4},
-                                     &reference, NULL));
+        struct image reference =
+            TRACE(&stage, .width = 16, .height = 16, .bounces = 1, .samples = 4);
         check_finite(lights[i], &reference);
         image_free(&reference);
     }

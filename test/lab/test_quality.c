@@ -36,15 +36,8 @@ static int close_box(void **state) {
 }
 
 static struct image trace(const struct open_box *box, int every, int samples) {
-    struct image image;
-    check_ok(
-        "trace",
-        picture_trace_paths(
-            &box->stage,
-            &(struct path_tracer_desc){
-                .width = SIDE, .height = SIDE, .every = every, .bounces = 1, .samples = samples},
-            &image, NULL));
-    return image;
+    return TRACE(&box->stage, .width = SIDE, .height = SIDE, .every = every, .bounces = 1,
+                 .samples = samples);
 }
 
 /* Each pixel lies in its square, and all places of a square are taken. */
@@ -118,9 +111,8 @@ TEST(estimate) {
     int few = estimate.samples; /* tell that it is not 100 %, and to a twentieth */
     check_ok("error", estimate_error(&estimate, &renderer, first, &error));
     check_at_most("samples where that does not decide", few, estimate.samples / 2.0);
-    const struct path_tracer_desc desc = {
-        .width = 2 * SIDE, .height = 2 * SIDE, .bounces = 1, .samples = is_long_run() ? 128 : 32};
-    check_ok("reference", picture_trace_paths(&box->stage, &desc, &reference, NULL));
+    reference = TRACE(&box->stage, .width = 2 * SIDE, .height = 2 * SIDE, .bounces = 1,
+                      .samples = is_long_run() ? 128 : 32);
     check_ok("layers", renderer_read_layers(&renderer, &picture));
     double all = error_of(&picture, &reference);
     check_near("of a quarter of the pixels", error, all, .15 * all);
@@ -141,9 +133,8 @@ TEST(slivers) {
     renderer_render(&renderer);
     check_ok("layers", renderer_read_layers(&renderer, &picture));
     for (int i = 0; i < 2; i++) {
-        struct path_tracer_desc desc = {
-            .width = SIDE / 2, .height = SIDE / 2, .bounces = 1, .samples = i ? 512 : 32};
-        check_ok("reference", picture_trace_paths(&stage, &desc, &references[i], NULL));
+        references[i] = TRACE(&stage, .width = SIDE / 2, .height = SIDE / 2, .bounces = 1,
+                              .samples = i ? 512 : 32);
         errors[i] = error_of(&picture, &references[i]);
     }
     check_near("by many samples", errors[1], errors[0], .05 * errors[0]);

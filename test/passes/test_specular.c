@@ -8,8 +8,6 @@
 #include "gl/program.h"
 #include "lights/view.h"
 #include "reference/brdf.h"
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "reference/sampler.h"
 #include "reference/scene/emission.h"
 #include "scene/gpu/lobes.h"
@@ -315,11 +313,8 @@ static double relative_mae(const struct image *got, const struct image *referenc
 }
 
 static struct image trace(const struct stage *stage, int size, int bounces) {
-    struct image traced;
-    const struct path_tracer_desc desc = {
-        .width = size, .height = size, .bounces = bounces, .samples = 64, .centers = true};
-    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
-    return traced;
+    return TRACE(stage, .width = size, .height = size, .bounces = bounces, .samples = 64,
+                 .centers = true);
 }
 
 TEST(picture) {

@@ -3,7 +3,6 @@
 #include "render_support.h"
 
 #include "inspect/aov.h"
-#include "quality/picture.h"
 #include "techniques/volume.h"
 
 enum { SIZE = 64 };
@@ -52,15 +51,8 @@ TEST(every_technique) {
 }
 
 static struct image trace(const struct stage *stage, float distance) {
-    struct image image;
-    check_ok("trace", picture_trace_paths(stage,
-                                          &(struct path_tracer_desc){.width = SIZE,
-                                                                     .height = SIZE,
-                                                                     .samples = 64,
-                                                                     .ao_distance = distance,
-                                                                     .ao_alone = true},
-                                          &image, NULL));
-    return image;
+    return TRACE(stage, .width = SIZE, .height = SIZE, .samples = 64, .ao_distance = distance,
+                 .ao_alone = true);
 }
 
 /* With all samples of a pixel, and 0 beside the box. */

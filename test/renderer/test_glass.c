@@ -2,7 +2,6 @@
  * pictures. */
 #include "smooth_stage.h"
 
-#include "quality/picture.h"
 #include "scene/material.h"
 
 /* The smooth surfaces throw no light here: what they show has answers of its own. */
@@ -66,10 +65,8 @@ TEST(indirect) {
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
     stage.emitters.items[0].position[0] = 1;
     OWNED(image) drawn = draw(&stage, SHOWN);
-    struct path_tracer_desc desc = {
-        .width = 8, .height = 8, .bounces = 1, .samples = 1024, .smooth = true};
-    OWNED(image) traced;
-    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    OWNED(image) traced =
+        TRACE(&stage, .width = 8, .height = 8, .bounces = 1, .samples = 1024, .smooth = true);
     double expected = channel_mean(&traced, "indirect.specular.R");
     printf("    traced %g\n", expected);
     check_near("over traced", channel_mean(&drawn, "indirect.specular.R") / expected, 1, .05);
@@ -300,10 +297,8 @@ TEST(fog_behind_colours) {
     }
     lay_out(&stage);
     place_light(&stage, .8F);
-    struct path_tracer_desc desc = {
-        .width = 8, .height = 8, .samples = 64, .medium = stage.scene.medium};
     OWNED(image) drawn = draw(&stage, CHEAP), traced;
-    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    traced = TRACE(&stage, .width = 8, .height = 8, .samples = 64, .medium = stage.scene.medium);
     for (int c = 1; c < 3; c++) {
         check_near("drawn", channel_mean(&drawn, channels[c]) / channel_mean(&drawn, channels[0]),
                    1. / (1 << c), .002);
@@ -355,10 +350,8 @@ TEST(wall_from_behind) {
     for (int two_sided = 0; two_sided < 2; two_sided++) {
         stage.scene.materials[FLOOR].double_sided = two_sided;
         OWNED(image) drawn = draw(&stage, SHOWN);
-        struct path_tracer_desc desc = {
-            .width = 16, .height = 16, .samples = 16, .smooth = true, .materials = MATERIALS_FULL};
-        OWNED(image) traced;
-        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        OWNED(image) traced = TRACE(&stage, .width = 16, .height = 16, .samples = 16,
+                                    .smooth = true, .materials = MATERIALS_FULL);
         check_near(two_sided ? "two sides" : "one side", over_floor(&drawn, "R", 1), two_sided,
                    .03);
         check_near("traced", over_floor(&traced, "R", 1), two_sided, .03);
@@ -376,10 +369,8 @@ TEST(open_and_nested) {
         make_glass(&stage, 1.5F);
         place_light(&stage, .5F);
         OWNED(image) drawn = draw(&stage, SHOWN "caustics.chains=8");
-        struct path_tracer_desc desc = {
-            .width = 16, .height = 16, .bounces = 1, .samples = 512, .smooth = true};
-        OWNED(image) traced;
-        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        OWNED(image) traced =
+            TRACE(&stage, .width = 16, .height = 16, .bounces = 1, .samples = 512, .smooth = true);
         printf("    %s\n", nested ? "nested" : "open");
         check_near("over traced", channel_mean(&drawn, "R") / channel_mean(&traced, "R"), 1, .02);
         check_finite("drawn", &drawn);
@@ -396,16 +387,10 @@ TEST(traced) {
         CHEAP "caustics.surface=off caustics.medium=lines caustics.size=8 medium.scatter=.0001";
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         OWNED(stage) stage = open_stage(scenes[i]);
-        OWNED(image) traced;
         memset(&stage.scene.medium, 0, sizeof stage.scene.medium);
         OWNED(image) drawn = render_stage(&stage, "unshadowed", shown, WIDE);
-        struct path_tracer_desc desc = {.width = WIDE,
-                                        .height = WIDE,
-                                        .bounces = 1,
-                                        .samples = 16,
-                                        .centers = true,
-                                        .smooth = true};
-        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        OWNED(image) traced = TRACE(&stage, .width = WIDE, .height = WIDE, .bounces = 1,
+                                    .samples = 16, .centers = true, .smooth = true);
         double off = mean_of(&drawn, "specular") / mean_of(&traced, "specular");
         printf("    %s\n", scenes[i]);
         check_near("specular over traced", off, 1, .06);
@@ -478,10 +463,8 @@ TEST(diffuse) {
             opaque = render_layers(&desc);
     }
     assert_true(same_pixels(&followed, &opaque));
-    struct path_tracer_desc desc = {
-        .width = 16, .height = 16, .samples = 64, .materials = MATERIALS_DIFFUSE, .smooth = true};
-    OWNED(image) traced;
-    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    OWNED(image) traced = TRACE(&stage, .width = 16, .height = 16, .samples = 64,
+                                .materials = MATERIALS_DIFFUSE, .smooth = true);
     check_near("over traced", mean_of(&followed, "direct") / mean_of(&traced, "direct"), 1, .02);
 }
 

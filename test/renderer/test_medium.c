@@ -4,7 +4,6 @@
 
 #include "gltf_parts.h"
 
-#include "quality/picture.h"
 #include "reference/scene/medium_ball.h"
 #include "scene/medium.h"
 
@@ -37,15 +36,8 @@ static void place_light(struct stage *stage, double distance, double angle) {
 }
 
 static struct image trace_bounces(const struct stage *stage, int size, int samples, int bounces) {
-    const struct path_tracer_desc desc = {.width = size,
-                                          .height = size,
-                                          .bounces = bounces,
-                                          .samples = samples,
-                                          .centers = true,
-                                          .medium = stage->scene.medium};
-    struct image traced;
-    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
-    return traced;
+    return TRACE(stage, .width = size, .height = size, .bounces = bounces, .samples = samples,
+                 .centers = true, .medium = stage->scene.medium);
 }
 
 static struct image trace(const struct stage *stage, int size, int samples) {

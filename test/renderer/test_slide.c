@@ -4,7 +4,6 @@
 
 #include "tiny_png.h"
 
-#include "quality/picture.h"
 #include "scene/lights/slide.h"
 #include "scene/open.h"
 
@@ -134,7 +133,6 @@ TEST(white) {
 /* Layers of a chart in fog between walls, by the path tracer. */
 TEST(traced) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
-    OWNED(image) traced;
     static const char *const channels[] = {"direct.R",   "direct.G",   "direct.B",
                                            "airlight.R", "airlight.G", "airlight.B",
                                            "indirect.R", "indirect.G", "indirect.B"};
@@ -142,14 +140,9 @@ TEST(traced) {
         stage.scene.medium.scattering[c] = .05F;
     set_slide(&stage, false);
     OWNED(image) drawn = render_stage(&stage, "instant-radiosity", "vpls=1024 rsm-size=256", SIZE);
-    const struct path_tracer_desc desc = {.width = SIZE,
-                                          .height = SIZE,
-                                          .samples = 64,
-                                          .bounces = 1,
-                                          .materials = MATERIALS_FULL,
-                                          .centers = true,
-                                          .medium = stage.scene.medium};
-    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    OWNED(image) traced =
+        TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 64, .bounces = 1,
+              .materials = MATERIALS_FULL, .centers = true, .medium = stage.scene.medium);
     for (size_t i = 0; i < sizeof channels / sizeof *channels; i++)
         check_near(channels[i],
                    channel_mean(&drawn, channels[i]) / channel_mean(&traced, channels[i]), 1,

@@ -215,8 +215,7 @@ static const char *write_helmet(void) {
  * technique errs elsewhere. */
 static void compare(const char *path) {
     OWNED(stage) stage = open_stage(path);
-    struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
-    OWNED(image) drawn = render_layers(&desc), traced, common;
+    OWNED(image) drawn = render_stage(&stage, "clustered", "", SIZE), traced, common;
     struct path_tracer_progress reached = {0};
     const struct path_tracer_desc tracer = {.width = SIZE,
                                             .height = SIZE,

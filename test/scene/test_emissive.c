@@ -3,8 +3,6 @@
 #include "hand_made.h"
 #include "render_support.h"
 
-#include "quality/picture.h"
-
 #include "gltf_parts.h"
 
 #include "scene/lights/emissive.h"
@@ -457,9 +455,7 @@ TEST(glow) {
         };
         check_ok("stage", stage_init(&stage, &desc));
         OWNED(image) shown = render_stage(&stage, "unshadowed", "", SIZE);
-        const struct path_tracer_desc tracer = {
-            .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
-        check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
+        traced = TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 1, .centers = true);
         double share = mean_of(&traced, CHANNEL_ALPHA);
         check_near("emitted, traced", mean_of(&traced, CHANNEL_EMITTED), on ? 100 * share : 0,
                    1e-3);

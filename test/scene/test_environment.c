@@ -7,8 +7,6 @@
 #include "base/file/file.h"
 #include "base/unit.h"
 #include "reference/channels.h"
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "scene/lights/environment.h"
 #include "scene/open.h"
 #include "scene/placing.h"
@@ -328,7 +326,6 @@ TEST(choice) {
 TEST(background) {
     enum { SIZE = 48 };
     OWNED(stage) stage;
-    OWNED(image) traced;
     const struct stage_desc desc = {
         .path = write_parts("scene.glb", &PARTS(0)),
         .light = "sky",
@@ -337,9 +334,8 @@ TEST(background) {
     };
     check_ok("stage", stage_init(&stage, &desc));
     OWNED(image) shown = render_stage(&stage, "unshadowed", "", SIZE);
-    const struct path_tracer_desc tracer = {
-        .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
-    check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
+    OWNED(image) traced =
+        TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 1, .centers = true);
     int sky = 0, other = 0;
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {

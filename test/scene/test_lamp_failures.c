@@ -4,8 +4,6 @@
  * bounds of rays. */
 #include "render_support.h"
 
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
@@ -59,14 +57,8 @@ static void open_row(struct stage *stage, const struct row *row) {
 }
 
 static struct image trace(const struct stage *stage) {
-    struct image image;
-    check_ok(
-        "trace",
-        picture_trace_paths(
-            stage,
-            &(struct path_tracer_desc){
-                .width = WIDTH, .height = HEIGHT, .samples = 64, .bounces = 1, .centers = true},
-            &image, NULL));
+    struct image image = TRACE(stage, .width = WIDTH, .height = HEIGHT, .samples = 64, .bounces = 1,
+                               .centers = true);
     check_finite("traced", &image);
     return image;
 }

@@ -4,7 +4,6 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
 
@@ -81,14 +80,9 @@ struct pictures {
 
 static void make_pictures(const char *path, struct pictures *pictures) {
     OWNED(stage) stage = open_stage(path);
-    struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
-    pictures->drawn = render_layers(&desc);
-    check_ok("trace",
-             picture_trace_paths(
-                 &stage,
-                 &(struct path_tracer_desc){
-                     .width = SIZE, .height = SIZE, .samples = 4, .bounces = 1, .centers = true},
-                 &pictures->traced, NULL));
+    pictures->drawn = render_stage(&stage, "clustered", "", SIZE);
+    pictures->traced =
+        TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 4, .bounces = 1, .centers = true);
 }
 
 static void free_pictures(struct pictures *pictures) {
@@ -464,8 +458,7 @@ static double decoded(int code) {
 static void check_albedo(const char *material, int quarter, const double expected[3]) {
     static const char *const channels[] = {"albedo.R", "albedo.G", "albedo.B"};
     OWNED(stage) stage = open_stage(write_square(material));
-    struct renderer_desc desc = desc_of(&stage, "clustered", "materials=diffuse", SIZE, SIZE);
-    OWNED(image) drawn = render_layers(&desc);
+    OWNED(image) drawn = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
     for (int c = 0; c < 3; c++)
         check_near(channels[c], value_at(&drawn, channels[c], quarter), expected[c],
                    .003 * expected[c]);

@@ -2,8 +2,6 @@
  * beside what must be there. Distances are those of scenes/boxes/materials.c. */
 #include "render_support.h"
 
-#include "quality/picture.h"
-
 #include <cglm/cglm.h>
 
 enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
@@ -17,11 +15,8 @@ static int make_pictures(void **state) {
     struct stage stage = open_stage("scenes/materials.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", "", WIDTH, HEIGHT);
     pictures.drawn = render_layers(&desc);
-    check_ok("trace", picture_trace_paths(
-                          &stage,
-                          &(struct path_tracer_desc){
-                              .width = WIDTH, .height = HEIGHT, .samples = 4, .centers = true},
-                          &pictures.traced, NULL));
+    pictures.traced =
+        TRACE(&stage, .width = WIDTH, .height = HEIGHT, .samples = 4, .centers = true);
     stage_free(&stage);
     return 0;
 }
@@ -194,14 +189,9 @@ TEST(spheres) {
     /* VPLs by importance move where a texture is a rounding off its factor. */
     static const char settings[] = "lights.importance=off";
     OWNED(stage) stage = open_stage("scenes/roughness.glb");
-    OWNED(image) traced;
     OWNED(image) drawn = render_stage(&stage, "clustered", settings, SIDE);
-    check_ok("trace",
-             picture_trace_paths(
-                 &stage,
-                 &(struct path_tracer_desc){
-                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16, .centers = true},
-                 &traced, NULL));
+    OWNED(image) traced =
+        TRACE(&stage, .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16, .centers = true);
     take_textures_away(&stage);
     OWNED(image) factors = render_stage(&stage, "clustered", settings, SIDE);
     for (int m = 0; m < stage.scene.material_count; m++)
@@ -250,11 +240,7 @@ static void look_through(struct stage *stage, const char *what, double *drawn, d
     image = render_stage(stage, "clustered", "", SIDE);
     *drawn = layer_mean(&image, "indirect");
     image_free(&image);
-    check_ok("trace",
-             picture_trace_paths(stage,
-                                 &(struct path_tracer_desc){
-                                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16},
-                                 &image, NULL));
+    image = TRACE(stage, .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16);
     *traced = layer_mean(&image, "indirect");
     image_free(&image);
     printf("  %s: drawn %.3g, traced %.3g\n", what, *drawn, *traced);

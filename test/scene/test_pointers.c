@@ -3,8 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "quality/picture.h"
-
 enum { SIZE = 24 };
 
 /* A clip of two keys, at 0 s and 2 s, of which each has so many numbers. */
@@ -235,14 +233,8 @@ TEST(notes) {
 /* --- pictures --------------------------------------------------------------------------------- */
 
 static struct image trace(struct stage *stage) {
-    struct image image;
-    check_ok("trace",
-             picture_trace_paths(
-                 stage,
-                 &(struct path_tracer_desc){
-                     .width = SIZE, .height = SIZE, .samples = 16, .bounces = 2, .centers = true},
-                 &image, NULL));
-    return image;
+    return TRACE(stage, .width = SIZE, .height = SIZE, .samples = 16, .bounces = 2,
+                 .centers = true);
 }
 
 /* A renderer that follows shows at each time what a new one shows, and so does the path tracer. */

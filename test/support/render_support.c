@@ -5,9 +5,8 @@
 #include "gl/memory.h"
 #include "gl/program.h"
 #include "inspect/lights.h"
-#include "reference/channels.h"
 #include "quality/picture.h"
-#include "reference/path_tracer.h"
+#include "reference/channels.h"
 #include "scene/lights/environment.h"
 #include "scene/node.h"
 #include "scene/placing.h"
@@ -342,12 +341,16 @@ struct image common_layers(const struct image *traced) {
 }
 
 struct image trace_stage(const struct stage *stage, int size, int samples) {
-    const struct path_tracer_desc desc = {
-        .width = size, .height = size, .bounces = 1, .samples = samples, .centers = true};
-    OWNED(image) traced;
-    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
+    OWNED(image) traced = TRACE(stage, .width = size, .height = size, .bounces = 1,
+                                .samples = samples, .centers = true);
     struct image reference = common_layers(&traced);
     return reference;
+}
+
+struct image trace_paths(const struct stage *stage, const struct path_tracer_desc *desc) {
+    struct image traced;
+    check_ok("reference", picture_trace_paths(stage, desc, &traced, NULL));
+    return traced;
 }
 
 void check_finite(const char *what, const struct image *image) {

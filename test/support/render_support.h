@@ -5,6 +5,7 @@
 #include "support.h"
 
 #include "gl/context/context.h"
+#include "reference/path_tracer.h"
 #include "reference/scene/ray_scene.h"
 #include "renderer/renderer.h"
 #include "renderer/stage.h"
@@ -98,6 +99,10 @@ double layer_mean(const struct image *image, const char *layer);
 
 /* One bounce by the path tracer, through the pixels' centres: the layers that a frame has too. */
 struct image trace_stage(const struct stage *stage, int size, int samples);
+
+/* The path tracer's picture: TRACE(&stage, .width = 8, .height = 8, .samples = 64). */
+#define TRACE(stage, ...) trace_paths(stage, &(struct path_tracer_desc){__VA_ARGS__})
+struct image trace_paths(const struct stage *stage, const struct path_tracer_desc *desc);
 
 /* Of a picture of the path tracer the layers that a frame has too. */
 struct image common_layers(const struct image *traced);

@@ -3,8 +3,6 @@
 #include "render_support.h"
 
 #include "passes/lights/bounce.h"
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
 #include "shared/vpl.h"
@@ -473,12 +471,7 @@ TEST(frames) {
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
 TEST(reference) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
-    OWNED(image) reference;
-    check_ok("reference",
-             picture_trace_paths(
-                 &stage,
-                 &(struct path_tracer_desc){.width = 64, .height = 64, .bounces = 8, .samples = 16},
-                 &reference, NULL));
+    OWNED(image) reference = TRACE(&stage, .width = 64, .height = 64, .bounces = 8, .samples = 16);
     double whole = layer_mean(&reference, "indirect");
     printf("  one bounce: %.3f of eight\n", mean_indirect(&stage, "clustered", "") / whole);
     check_near("clustered, over the reference",

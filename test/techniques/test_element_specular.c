@@ -2,8 +2,6 @@
  * cosines beside them. */
 #include "volume_scenes.h"
 
-#include "quality/picture.h"
-#include "reference/path_tracer.h"
 #include "scene/material.h"
 #include "techniques/technique.h"
 
@@ -78,8 +76,7 @@ static double seen_within(float roughness, const char *settings, const char *lay
     struct reflectance reflectance = material_reflectance(&stage.scene.materials[0]);
     *even = (double)material_reflects(&stage.scene.materials[0], glms_vec3_one(), &reflectance).x;
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), .2F);
-    struct renderer_desc desc = desc_of(&stage, "implicit-visibility", settings, SIZE, SIZE);
-    OWNED(image) layers = render_layers(&desc);
+    OWNED(image) layers = render_stage(&stage, "implicit-visibility", settings, SIZE);
     int channel = image_find_channel(&layers, layer);
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++)
@@ -124,11 +121,7 @@ static void open_balls(struct stage *stage) {
 }
 
 static struct image trace_direct(const struct stage *stage, int width, int height) {
-    const struct path_tracer_desc desc = {
-        .width = width, .height = height, .samples = 64, .centers = true};
-    struct image traced;
-    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
-    return traced;
+    return TRACE(stage, .width = width, .height = height, .samples = 64, .centers = true);
 }
 
 /* The lamp in the balls, beside the path tracer. Few elements lie under each highlight: 1000 of the
@@ -176,8 +169,7 @@ TEST(layers) {
     OWNED(stage) stage = open_stage("scenes/gloss.glb");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         const char *text = form("elements=500 radiosity.bins=6 %s", settings[i]);
-        struct renderer_desc desc = desc_of(&stage, "implicit-visibility", text, SIZE, SIZE);
-        OWNED(image) layers = render_layers(&desc);
+        OWNED(image) layers = render_stage(&stage, "implicit-visibility", text, SIZE);
         const int beauty = image_find_channel(&layers, "R"),
                   albedo = image_find_channel(&layers, "albedo.R"),
                   direct = image_find_channel(&layers, "direct.R"),

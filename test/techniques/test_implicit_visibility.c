@@ -294,9 +294,8 @@ TEST(picture) {
     double least = INFINITY, most = 0;
     open_shape(&stage, sphere(), .5, false, at(0, 0, 0));
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), 1);
-    struct renderer_desc desc =
-        desc_of(&stage, "implicit-visibility", "elements=1000 radiosity.bins=8", 32, 32);
-    OWNED(image) layers = render_layers(&desc);
+    OWNED(image) layers =
+        render_stage(&stage, "implicit-visibility", "elements=1000 radiosity.bins=8", 32);
     int channel = image_find_channel(&layers, "indirect.R");
     for (int y = 0; y < 32; y++)
         for (int x = 0; x < 32; x++) {

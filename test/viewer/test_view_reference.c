@@ -5,7 +5,6 @@
 #include "render_support.h"
 
 #include "metrics/layer.h"
-#include "quality/picture.h"
 #include "viewer/reference/tracing.h"
 #include "viewer/scene/sessions.h"
 
@@ -22,10 +21,8 @@ TEST(trace) {
     turn_until(viewer.tracing.samples >= 8 || !viewer_is_tracing(&viewer));
     const struct image *traced = &viewer.shown.compare.reference.picture;
     OWNED(stage) scene = open_stage(SCENE);
-    OWNED(image) other;
-    const struct path_tracer_desc desc = {
-        .width = traced->width, .height = traced->height, .bounces = 1, .samples = 64, .seed = 7};
-    check_ok("tracer", picture_trace_paths(&scene, &desc, &other, NULL));
+    OWNED(image) other = TRACE(&scene, .width = traced->width, .height = traced->height,
+                               .bounces = 1, .samples = 64, .seed = 7);
     double apart = relative_rmse(traced, &other, "indirect");
     printf("    after %d samples, which tell %.3f of noise\n", viewer.tracing.samples,
            viewer.tracing.noise);
