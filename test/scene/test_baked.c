@@ -169,7 +169,7 @@ static const char *write_model(const char *name, const struct mesh_data *mesh, i
         mesh->index_count - model_indices, materials);
     assert_true(length > 0 && (size_t)length < sizeof json);
     snprintf(file, sizeof file, "%s.gltf", name);
-    write_bytes(scratch(file), json, (size_t)length);
+    write_json(scratch(file), json);
     return scratch(file);
 }
 

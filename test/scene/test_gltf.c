@@ -453,7 +453,7 @@ TEST(deep_chain) {
         end += sprintf(end, "{children: [%d], translation: [0, 1, 0]},", i + 1);
     end += sprintf(end, "{mesh: 0}]}");
     const char *path = scratch("chain.gltf");
-    write_bytes(path, text, (size_t)(end - text));
+    write_json(path, text);
     OWNED(scene) scene;
     OWNED(geometry) geometry;
     check_ok("load", scene_load(&scene, path));

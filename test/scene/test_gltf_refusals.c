@@ -188,12 +188,12 @@ TEST(texts) {
     } texts[] = {
         {"hello", "not a scene: neither glTF nor GLB"},
         {"[]", "the JSON is not an object"},
-        {"{asset: ", "the JSON: parse error at line 1, column 11"},
+        {"{\"asset\": ", "the JSON: parse error at line 1, column 11"},
         {"// by hand\n{}", "the JSON: parse error at line 1, column 1: "},
         {"# by hand\n{}", "the JSON: parse error at line 1, column 1: "},
-        {"{\n asset: {version: '2.0'},\n}", "parse error at line 3, column 1: "},
-        {"{asset: {version: '1.0'}, buffers: {}}", "glTF version 1.0; 2.0 is read"},
-        {"{meshes: {}, buffers: {}}", "glTF version 1.0; 2.0 is read"},
+        {"{\n \"asset\": {\"version\": \"2.0\"},\n}", "parse error at line 3, column 1: "},
+        {"{\"asset\": {\"version\": \"1.0\"}, \"buffers\": {}}", "glTF version 1.0; 2.0 is read"},
+        {"{\"meshes\": {}, \"buffers\": {}}", "glTF version 1.0; 2.0 is read"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a Git LFS pointer"},
         {"\xFF\xFE{", "the text is UTF-16; glTF is UTF-8"},
         {"\xFE\xFF", "the text is UTF-16; glTF is UTF-8"},
@@ -208,7 +208,7 @@ TEST(texts) {
     /* Brackets that would overflow the stack of a recursive reader. */
     enum { DEPTH = 200000 };
     char *deep = mem_alloc(DEPTH + 64, 1);
-    size_t size = (size_t)sprintf(deep, "{asset: {version: '2.0'}, extras: ");
+    size_t size = (size_t)sprintf(deep, "{\"asset\": {\"version\": \"2.0\"}, \"extras\": ");
     memset(deep + size, '[', DEPTH);
     write_bytes(path, deep, size + DEPTH);
     check_file_refused("deep", path, scene_load(&scene, path), "the JSON is nested too deep");

@@ -184,6 +184,14 @@ void write_text(const char *path, const char *text) {
     check_ok(path, output_file_write(path, text, strlen(text)));
 }
 
+void write_json(const char *path, const char *text) {
+    size_t size = 2 * strlen(text) + 1; /* a word of one letter in quotes and what parts it */
+    char *json = mem_alloc(size, 1);
+    quote_words(text, json, size);
+    write_text(path, json);
+    free(json);
+}
+
 int count_files(const char *folder) {
     DIR *directory = opendir(folder);
     assert_non_null(directory);

@@ -94,6 +94,9 @@ const char *scratch(const char *file_name);
 
 void write_text(const char *path, const char *text);
 
+/* The same of a text by quote_words. */
+void write_json(const char *path, const char *text);
+
 /* Files and folders in it. */
 int count_files(const char *folder);
 

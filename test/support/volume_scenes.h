@@ -125,7 +125,7 @@ static inline void open_shape(struct stage *stage, struct shape *shape, double a
         2 * vectors + indices, vectors, vectors, vectors, 2 * vectors, indices, shape->vertex_count,
         shape->vertex_count, shape->index_count, two_sided ? "true" : "false", albedo, albedo,
         albedo, (double)light.x, (double)light.y, (double)light.z);
-    write_text(path, text);
+    write_json(path, text);
     *stage = open_stage(path);
     free(shape);
 }
