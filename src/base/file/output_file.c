@@ -335,22 +335,12 @@ void output_text_init(struct output_text *text) {
     }
 }
 
-void output_text_free(struct output_text *text) {
-    if (text->stream)
-        fclose(text->stream);
-    free(text->data);
-    *text = (struct output_text){0};
-}
-
-bool output_text_write(struct output_text *text, const char *path) {
-    if (fflush(text->stream) != 0 || ferror(text->stream))
-        return error_set("cannot write %s: out of memory", path);
-    return output_file_write(path, text->data, text->size);
-}
-
 bool output_text_end(struct output_text *text, const char *path) {
-    bool ok = output_text_write(text, path);
-    output_text_free(text);
+    bool ok = fflush(text->stream) == 0 && !ferror(text->stream);
+    ok = ok ? output_file_write(path, text->data, text->size)
+            : error_set("cannot write %s: out of memory", path);
+    fclose(text->stream);
+    free(text->data);
     return ok;
 }
 

@@ -50,7 +50,7 @@ void output_file_flush_stdout(void);
 /* Closes stdout. Error: output was lost. */
 bool output_file_close_stdout(void);
 
-/* Text printed to a stream in memory before it goes to a file. Free accepts a zeroed one. */
+/* Text printed to a stream in memory before it goes to a file. */
 struct output_text {
     FILE *stream;
     char *data;
@@ -58,11 +58,6 @@ struct output_text {
 };
 
 void output_text_init(struct output_text *text);
-void output_text_free(struct output_text *text);
-
-/* Writes all text printed so far; may be called again after more. */
-bool output_text_write(struct output_text *text, const char *path);
-
 /* Writes the text and frees it in any case. */
 bool output_text_end(struct output_text *text, const char *path);
 

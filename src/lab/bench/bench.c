@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-const struct bench_mode *const bench_modes[] = {
+static const struct bench_mode *const bench_modes[] = {
     &bench_times,    &bench_sweep,    &bench_budget, &bench_curves,   &bench_passes, &bench_quality,
     &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
 };

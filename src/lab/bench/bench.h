@@ -72,9 +72,6 @@ extern const struct bench_mode bench_times, bench_sweep, bench_budget, bench_cur
 /* Measures and prints all, and writes --csv. Error: of a file, a scene or a renderer. */
 bool bench_run(struct bench *bench, const struct bench_mode *mode);
 
-/* Ends with NULL. */
-extern const struct bench_mode *const bench_modes[];
-
 /* The options of modes that use OpenGL. */
 #define BENCH_CONTEXT " csv context device screen-passes gl-debug"
 

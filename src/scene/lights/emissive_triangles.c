@@ -44,6 +44,20 @@ static void add_surface(struct emissive_triangles *list, const struct scene *sce
     }
 }
 
+/* Moves the triangles to the geometry's pose. */
+static void move_to_pose(struct emissive_triangles *list, const struct geometry *geometry) {
+    for (int i = 0; i < list->count; i++) {
+        const struct emissive_place *place = &list->places[i];
+        struct light_triangle *item = &list->items[i];
+        vec3s edges[2];
+        vec3s corner =
+            corners_edges(geometry, &geometry->indices[3 * (size_t)place->triangle], edges);
+        glm_vec3_copy(corner.raw, item->corner);
+        glm_vec3_copy(edges[place->is_back].raw, item->edge_1);
+        glm_vec3_copy(edges[!place->is_back].raw, item->edge_2);
+    }
+}
+
 void emissive_triangles_init(struct emissive_triangles *list, const struct scene *scene,
                              const struct geometry *geometry, const struct emitters *emitters) {
     enum lamp_state *lamps = emissive_lamp_states(scene, emitters);
@@ -60,24 +74,11 @@ void emissive_triangles_init(struct emissive_triangles *list, const struct scene
     for (int i = 0; i < scene->surface_count; i++)
         if (lamps[scene->surfaces[i].lamp] == LAMP_STOOD_IN_FOR)
             add_surface(list, scene, geometry, i, &looks, spans[i]);
-    emissive_triangles_move(list, geometry);
+    move_to_pose(list, geometry);
     mem_free(lamps, spans);
 }
 
 void emissive_triangles_free(struct emissive_triangles *list) {
     mem_free(list->items, list->places);
     *list = (struct emissive_triangles){0};
-}
-
-void emissive_triangles_move(struct emissive_triangles *list, const struct geometry *geometry) {
-    for (int i = 0; i < list->count; i++) {
-        const struct emissive_place *place = &list->places[i];
-        struct light_triangle *item = &list->items[i];
-        vec3s edges[2];
-        vec3s corner =
-            corners_edges(geometry, &geometry->indices[3 * (size_t)place->triangle], edges);
-        glm_vec3_copy(corner.raw, item->corner);
-        glm_vec3_copy(edges[place->is_back].raw, item->edge_1);
-        glm_vec3_copy(edges[!place->is_back].raw, item->edge_2);
-    }
 }

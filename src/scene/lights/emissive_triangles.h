@@ -29,7 +29,4 @@ void emissive_triangles_init(struct emissive_triangles *list, const struct scene
 /* Accepts a zeroed object. */
 void emissive_triangles_free(struct emissive_triangles *list);
 
-/* Moves the triangles to the geometry's pose; they keep their radiance. */
-void emissive_triangles_move(struct emissive_triangles *list, const struct geometry *geometry);
-
 #endif
