@@ -143,11 +143,9 @@ static void shade(struct answer *answers, int count, float *got) {
     check_ok("lights", buffer_init(&light_buffer, "lights", sizeof block, &block));
     check_ok("points", buffer_init(&point_buffer, "points", sizeof points, points));
     check_ok("answers", buffer_init(&answer_buffer, "answers", ANSWERS * sizeof *got, NULL));
-    pass_begin(&untimed,
-               &(struct pass_state){.name = "unshadowed",
-                                    .program = program,
-                                    .blocks = {{BLOCK_LIGHTS, &light_buffer}},
-                                    .storages = {{0, &point_buffer}, {1, &answer_buffer}}});
+    pass_begin(&untimed, &FILLED(pass_state, .name = "unshadowed", .program = program,
+                                 .blocks = {{BLOCK_LIGHTS, &light_buffer}},
+                                 .storages = {{0, &point_buffer}, {1, &answer_buffer}}));
     pass_dispatch(1, 1, 1);
     pass_end(&untimed);
     buffer_read(&answer_buffer, 0, (size_t)count * sizeof *got, got);

@@ -184,12 +184,9 @@ static void open_roof(struct stage *stage, int rows, const char *material) {
     snprintf(all[2], sizeof all[2], "[%s]", nodes);
     *stage = open_stage(
         write_parts("roof.glb", &PARTS(.materials = all[0], .meshes = all[1], .nodes = all[2])));
-    stage->camera = (struct camera){.eye = {ANGLES / 2.F, ANGLES / 2.F, 1},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .orthographic = true,
-                                    .y_extent = ANGLES / 2.F};
+    stage->camera =
+        FILLED(camera, .eye = {ANGLES / 2.F, ANGLES / 2.F, 1}, .right = {1, 0, 0}, .up = {0, 1, 0},
+               .forward = {0, 0, -1}, .orthographic = true, .y_extent = ANGLES / 2.F);
     set_sky(stage, SKY_WIDTH, SKY_HEIGHT, paint_even);
 }
 

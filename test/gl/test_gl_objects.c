@@ -225,15 +225,11 @@ TEST(ledger) {
     int objects = gpu_memory_object_count();
     struct texture texture;
     struct buffer buffer, empty;
-    check_ok("texture", texture_init(&texture, &(struct texture_desc){
-                                                   .label = "test",
-                                                   .target = GL_TEXTURE_2D_ARRAY,
-                                                   .format = GL_RGBA16F,
-                                                   .width = 8,
-                                                   .height = 4,
-                                                   .layers = 3,
-                                                   .levels = texture_full_levels(8, 4, 1),
-                                               }));
+    check_ok(
+        "texture",
+        texture_init(&texture, &FILLED(texture_desc, .label = "test", .target = GL_TEXTURE_2D_ARRAY,
+                                       .format = GL_RGBA16F, .width = 8, .height = 4, .layers = 3,
+                                       .levels = texture_full_levels(8, 4, 1))));
     assert_int_equal(texture_full_levels(8, 4, 1), 4);
     assert_int_equal(gpu_memory_total() - before, 8 * 3 * (32 + 8 + 2 + 1));
     check_ok("buffer", buffer_init(&buffer, "test", 100, NULL));

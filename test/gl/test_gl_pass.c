@@ -93,24 +93,17 @@ static GLuint open_program(const char *vertex, const char *fragment, const char 
 enum { WIDTH = 7, HEIGHT = 5, DEPTH = 3, TEXELS = WIDTH * HEIGHT * DEPTH };
 
 static void fill_volume(GLuint program, const struct texture *volume, const struct buffer *scale) {
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "fill",
-                             .program = program,
-                             .blocks = {{2, scale}},
-                             .images = {{3, volume, 0, GL_WRITE_ONLY}},
-                         });
+    pass_begin(&untimed,
+               &FILLED(pass_state, .name = "fill", .program = program, .blocks = {{2, scale}},
+                       .images = {{3, volume, 0, GL_WRITE_ONLY}}));
     pass_dispatch((WIDTH + 3) / 4, (HEIGHT + 3) / 4, (DEPTH + 3) / 4);
     pass_end(&untimed);
 }
 
 static void read_volume(GLuint program, const struct texture *volume, const struct buffer *texels) {
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "read",
-                             .program = program,
-                             .textures = {{5, volume->id}},
-                             .storages = {{1, texels}},
-                             .barriers = GL_TEXTURE_FETCH_BARRIER_BIT,
-                         });
+    pass_begin(&untimed, &FILLED(pass_state, .name = "read", .program = program,
+                                 .textures = {{5, volume->id}}, .storages = {{1, texels}},
+                                 .barriers = GL_TEXTURE_FETCH_BARRIER_BIT));
     pass_dispatch((TEXELS + 63) / 64, 1, 1);
     pass_end(&untimed);
 }
@@ -123,12 +116,10 @@ TEST(compute) {
     struct buffer scales, stored;
     GLuint fill = open_program(NULL, NULL, "fill.comp");
     GLuint read = open_program(NULL, NULL, "read.comp");
-    check_ok("volume", texture_init(&volume, &(struct texture_desc){.label = "volume",
-                                                                    .target = GL_TEXTURE_3D,
-                                                                    .format = GL_RGBA16F,
-                                                                    .width = WIDTH,
-                                                                    .height = HEIGHT,
-                                                                    .depth = DEPTH}));
+    check_ok("volume",
+             texture_init(&volume, &FILLED(texture_desc, .label = "volume", .target = GL_TEXTURE_3D,
+                                           .format = GL_RGBA16F, .width = WIDTH, .height = HEIGHT,
+                                           .depth = DEPTH)));
     check_ok("scales", buffer_init(&scales, "scales", sizeof scale, scale));
     check_ok("stored", buffer_init(&stored, "stored", sizeof texels, NULL));
     fill_volume(fill, &volume, &scales);
@@ -241,15 +232,9 @@ TEST(point_size) {
 }
 
 static void draw_block(GLuint program, const struct target *target, const struct buffer *values) {
-    pass_set_state(&(struct pass_state){
-        .name = "block",
-        .program = program,
-        .framebuffer = target->framebuffer,
-        .width = 8,
-        .height = 8,
-        .blocks = {{2, values}},
-        .barriers = GL_UNIFORM_BARRIER_BIT,
-    });
+    pass_set_state(&FILLED(pass_state, .name = "block", .program = program,
+                           .framebuffer = target->framebuffer, .width = 8, .height = 8,
+                           .blocks = {{2, values}}, .barriers = GL_UNIFORM_BARRIER_BIT));
     pass_draw_fullscreen(1);
 }
 
@@ -263,10 +248,8 @@ static void write_by_feedback(GLuint program, const struct target *target,
 
 static void write_by_dispatch(GLuint program, const struct target *target,
                               const struct buffer *values) {
-    pass_set_state(&(struct pass_state){.name = "dispatch",
-                                        .program = program,
-                                        .framebuffer = target->framebuffer,
-                                        .storages = {{1, values}}});
+    pass_set_state(&FILLED(pass_state, .name = "dispatch", .program = program,
+                           .framebuffer = target->framebuffer, .storages = {{1, values}}));
     pass_dispatch(1, 1, 1);
 }
 
@@ -305,13 +288,8 @@ TEST(no_target) {
     struct buffer counter;
     GLuint program = open_program("triangle.vert", "nothing.frag", NULL);
     check_ok("counter", buffer_init(&counter, "counter", sizeof count, &count));
-    pass_set_state(&(struct pass_state){
-        .name = "no target",
-        .program = program,
-        .width = 30,
-        .height = 20,
-        .storages = {{1, &counter}},
-    });
+    pass_set_state(&FILLED(pass_state, .name = "no target", .program = program, .width = 30,
+                           .height = 20, .storages = {{1, &counter}}));
     pass_draw_fullscreen(1);
     buffer_read(&counter, 0, sizeof count, &count);
     check_near("fragments", count, 600, 0);

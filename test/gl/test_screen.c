@@ -105,10 +105,8 @@ static void draw_part(enum screen_way way, float *texels) {
     screen_set_way(way);
     check_ok(
         "target",
-        texture_init(&target, &(struct texture_desc){.label = "part",
-                                                     .format = GL_RGBA32F,
-                                                     .width = WIDTH,
-                                                     .height = HEIGHT}) &&
+        texture_init(&target, &FILLED(texture_desc, .label = "part", .format = GL_RGBA32F,
+                                      .width = WIDTH, .height = HEIGHT)) &&
             framebuffer_init(&state.framebuffer,
                              &(struct framebuffer_desc){.label = "part", .colors = {&target}}) &&
             program_init(&state.program,
@@ -185,10 +183,9 @@ static void open_masked(struct masked_picture *picture, int width, int height, i
     const char *defines = form("EVERY %d", every);
     check_ok("masked picture",
              pixel_mask_init(&picture->mask, "marked", width, height) &&
-                 texture_init(&picture->target, &(struct texture_desc){.label = "places",
-                                                                       .format = GL_R32UI,
-                                                                       .width = width,
-                                                                       .height = height}) &&
+                 texture_init(&picture->target,
+                              &FILLED(texture_desc, .label = "places", .format = GL_R32UI,
+                                      .width = width, .height = height)) &&
                  framebuffer_init(
                      &picture->framebuffer,
                      &(struct framebuffer_desc){.label = "places",

@@ -10,14 +10,9 @@
 /* As bounds of small pictures are measured. */
 static struct failure_desc small_desc(const struct context *context,
                                       const struct text_list *settings) {
-    return (struct failure_desc){
-        .width = 40,
-        .height = 30,
-        .settings = settings,
-        .reference = {REFERENCE_CENTERS, scratch("references"), .05},
-        .context = context,
-        .small = true,
-    };
+    return FILLED(failure_desc, .width = 40, .height = 30, .settings = settings,
+                  .reference = {REFERENCE_CENTERS, scratch("references"), .05}, .context = context,
+                  .small = true);
 }
 
 enum { FAST = 0, UNSHADOWED = 3, FRAME = 4, VOLUME = 9, ELEMENTS = 10 };

@@ -142,23 +142,19 @@ static size_t take_arrays(const struct scene *scene, struct manylight_mesh meshe
         for (int p = 0; mesh >= 0 && p < scene->meshes[mesh].primitive_count; p++) {
             const struct primitive *primitive = &scene->meshes[mesh].primitives[p];
             assert_true(count < PARTS_MAX);
-            meshes[count++] =
-                (struct manylight_mesh){.size = sizeof *meshes,
-                                        .positions = (const float *)primitive->position,
-                                        .normals = (const float *)primitive->normal,
-                                        .vertex_count = (size_t)primitive->vertex_count,
-                                        .indices = primitive->indices,
-                                        .index_count = (size_t)primitive->index_count,
-                                        .material = primitive->material};
+            meshes[count++] = FILLED(
+                manylight_mesh, .size = sizeof *meshes,
+                .positions = (const float *)primitive->position,
+                .normals = (const float *)primitive->normal,
+                .vertex_count = (size_t)primitive->vertex_count, .indices = primitive->indices,
+                .index_count = (size_t)primitive->index_count, .material = primitive->material);
         }
     }
     for (int i = 0; i < scene->material_count; i++) {
         const struct material *from = &scene->materials[i];
         struct manylight_material *to = &materials[i];
-        *to = (struct manylight_material){.size = sizeof *to,
-                                          .metalness = from->metalness,
-                                          .roughness = from->roughness,
-                                          .double_sided = from->double_sided};
+        *to = FILLED(manylight_material, .size = sizeof *to, .metalness = from->metalness,
+                     .roughness = from->roughness, .double_sided = from->double_sided);
         memcpy(to->base_color, from->base_color, sizeof to->base_color);
         memcpy(to->emission, from->emission, sizeof to->emission);
     }

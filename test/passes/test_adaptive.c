@@ -21,14 +21,10 @@ static void open_bench(struct adaptive_bench *bench, const char *scene, const ch
     bench->stage = open_stage(scene);
     open_renderer(&bench->renderer, desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE));
     check_ok("adaptive",
-             adaptive_pass_init(&bench->adaptive, &(struct adaptive_desc){.width = SIZE,
-                                                                          .height = SIZE,
-                                                                          .interleave = LISTS,
-                                                                          .radius = RADIUS,
-                                                                          .distance = .1f,
-                                                                          .cosine = .995f,
-                                                                          .sharp_cosine = .98f,
-                                                                          .share = share}));
+             adaptive_pass_init(&bench->adaptive,
+                                &FILLED(adaptive_desc, .width = SIZE, .height = SIZE,
+                                        .interleave = LISTS, .radius = RADIUS, .distance = .1f,
+                                        .cosine = .995f, .sharp_cosine = .98f, .share = share)));
 }
 
 static void list_pixels(struct adaptive_bench *bench, const struct gbuffer *gbuffer) {

@@ -37,14 +37,10 @@ static float stored_of(int projection, double depth) {
 static void open_texture(struct texture *texture, GLenum format, int levels, GLenum channels,
                          const float *texels) {
     check_ok("texture",
-             texture_init(texture, &(struct texture_desc){.label = "lookup",
-                                                          .target = GL_TEXTURE_2D_ARRAY,
-                                                          .format = format,
-                                                          .width = SIZE,
-                                                          .height = SIZE,
-                                                          .levels = levels,
-                                                          .filter = levels > 1 ? FILTER_TRILINEAR
-                                                                               : FILTER_NEAREST}));
+             texture_init(texture,
+                          &FILLED(texture_desc, .label = "lookup", .target = GL_TEXTURE_2D_ARRAY,
+                                  .format = format, .width = SIZE, .height = SIZE, .levels = levels,
+                                  .filter = levels > 1 ? FILTER_TRILINEAR : FILTER_NEAREST)));
     gl.TextureSubImage3D(texture->id, 0, 0, 0, 0, SIZE, SIZE, 1, channels, GL_FLOAT, texels);
     if (levels > 1)
         gl.GenerateTextureMipmap(texture->id);
@@ -167,20 +163,17 @@ static void run(struct lookups *lookups) {
     buffer_write(&ranges, 0, sizeof range, &range);
     check_ok("points", buffer_init(&points, "points", sizeof lookups->points, lookups->points));
     check_ok("answers", buffer_init(&answers, "answers", POINTS * sizeof *lookups->answers, NULL));
-    pass_begin(
-        &untimed,
-        &(struct pass_state){
-            .name = "lookups",
-            .program = program,
-            .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
-                         {UNIT_BASIS_COS, lookups->bases[0].id},
-                         {UNIT_BASIS_SIN, lookups->bases[1].id},
-                         {UNIT_BASIS_Z_COS, lookups->bases[2].id},
-                         {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
-                         {UNIT_BASIS_Z, lookups->bases[4].id}},
-            .blocks = {{BLOCK_PASS, &view}, {BLOCK_LOOKUP, &block}, {BLOCK_SERIES_RANGES, &ranges}},
-            .storages = {{0, &points}, {1, &answers}},
-        });
+    pass_begin(&untimed, &FILLED(pass_state, .name = "lookups", .program = program,
+                                 .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
+                                              {UNIT_BASIS_COS, lookups->bases[0].id},
+                                              {UNIT_BASIS_SIN, lookups->bases[1].id},
+                                              {UNIT_BASIS_Z_COS, lookups->bases[2].id},
+                                              {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
+                                              {UNIT_BASIS_Z, lookups->bases[4].id}},
+                                 .blocks = {{BLOCK_PASS, &view},
+                                            {BLOCK_LOOKUP, &block},
+                                            {BLOCK_SERIES_RANGES, &ranges}},
+                                 .storages = {{0, &points}, {1, &answers}}));
     pass_dispatch((POINTS + 63) / 64, 1, 1);
     pass_end(&untimed);
     buffer_read(&answers, 0, POINTS * sizeof *lookups->answers, lookups->answers);
@@ -381,11 +374,9 @@ TEST(map_in_front) {
     check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
     check_ok("points", buffer_init(&asked, "points", sizeof points, points));
     check_ok("answers", buffer_init(&answered, "answers", sizeof answers, NULL));
-    pass_begin(&untimed,
-               &(struct pass_state){.name = "maps in front",
-                                    .program = program,
-                                    .blocks = {{BLOCK_MAPS, &maps}, {BLOCK_LOOKUP, &block}},
-                                    .storages = {{0, &asked}, {1, &answered}}});
+    pass_begin(&untimed, &FILLED(pass_state, .name = "maps in front", .program = program,
+                                 .blocks = {{BLOCK_MAPS, &maps}, {BLOCK_LOOKUP, &block}},
+                                 .storages = {{0, &asked}, {1, &answered}}));
     pass_dispatch(ASKED, 1, 1);
     pass_end(&untimed);
     buffer_read(&answered, 0, sizeof answers, answers);

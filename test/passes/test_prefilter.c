@@ -28,12 +28,10 @@ static void open_depths(struct depths *depths, int size) {
     depths->texels[size + 3] = NAN;
     depths->texels[size + 4] = -1;
     depths->texels[size + 5] = 1e30F;
-    check_ok("map", texture_init(&depths->map, &(struct texture_desc){.label = "depths",
-                                                                      .target = GL_TEXTURE_2D_ARRAY,
-                                                                      .format = GL_R32F,
-                                                                      .width = size,
-                                                                      .height = size,
-                                                                      .layers = LAYERS_TESTED}));
+    check_ok("map", texture_init(&depths->map,
+                                 &FILLED(texture_desc, .label = "depths",
+                                         .target = GL_TEXTURE_2D_ARRAY, .format = GL_R32F,
+                                         .width = size, .height = size, .layers = LAYERS_TESTED)));
     gl.TextureSubImage3D(depths->map.id, 0, 0, 0, 0, size, size, LAYERS_TESTED, GL_RED, GL_FLOAT,
                          depths->texels);
 }
@@ -166,10 +164,9 @@ TEST(basis_sums) {
     struct frame frame = untimed_frame(&timers);
     struct series_range ranges[LAYERS_TESTED];
     open_depths(&depths, SIZE);
-    check_ok("ranges", basis_pass_init(&basis, &(struct basis_desc){.size = SIZE,
-                                                                    .count = LAYERS_TESTED,
-                                                                    .terms = TERMS,
-                                                                    .ranges_alone = true}));
+    check_ok("ranges",
+             basis_pass_init(&basis, &FILLED(basis_desc, .size = SIZE, .count = LAYERS_TESTED,
+                                             .terms = TERMS, .ranges_alone = true)));
     check_ok("sums",
              sums_pass_init(
                  &pass, &(struct sums_desc){.size = SIZE, .count = LAYERS_TESTED, .terms = TERMS}));
@@ -268,10 +265,9 @@ static void ask(int filter, struct answer answers[CELLS]) {
     check_ok("answers", buffer_init(&storage, "answers", CELLS * sizeof *answers, answers));
     struct depths depths;
     open_depths(&depths, 16);
-    pass_set_state(&(struct pass_state){.name = "cells",
-                                        .program = program,
-                                        .textures = {{UNIT_MAP_DEPTH, depths.map.id}},
-                                        .storages = {{0, &storage}}});
+    pass_set_state(&FILLED(pass_state, .name = "cells", .program = program,
+                           .textures = {{UNIT_MAP_DEPTH, depths.map.id}},
+                           .storages = {{0, &storage}}));
     pass_dispatch(CELLS, 1, 1);
     buffer_read(&storage, 0, CELLS * sizeof *answers, answers);
     close_depths(&depths);

@@ -33,12 +33,11 @@ static void ask(const char *compute, const struct question *questions, int count
                                       (size_t)count * sizeof *questions, questions));
     check_ok("answers",
              buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "specular",
-                             .program = program,
-                             .textures = {{UNIT_LOBES, lobes.id}, {UNIT_LOBE_ALBEDOS, albedos.id}},
-                             .blocks = {{BLOCK_LIGHTS, &light_buffer}},
-                             .storages = {{0, &question_buffer}, {1, &answer_buffer}}});
+    pass_begin(&untimed,
+               &FILLED(pass_state, .name = "specular", .program = program,
+                       .textures = {{UNIT_LOBES, lobes.id}, {UNIT_LOBE_ALBEDOS, albedos.id}},
+                       .blocks = {{BLOCK_LIGHTS, &light_buffer}},
+                       .storages = {{0, &question_buffer}, {1, &answer_buffer}}));
     pass_dispatch(count, 1, 1);
     pass_end(&untimed);
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

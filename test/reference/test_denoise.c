@@ -18,11 +18,9 @@ static const struct atrous_desc desc_of_all = {
  * surface keeps pixels apart. */
 static void make_plane(struct picture *picture) {
     for (int i = 0; i < COUNT; i++) {
-        picture->guides[i] = (struct atrous_guide){
-            .position = {{0.001f * (float)(i % SIZE), 0.001f * (float)(i / SIZE), 0}},
-            .normal = {{0, 0, 1}},
-            .pixel_size = 0.001f,
-        };
+        picture->guides[i] = FILLED(
+            atrous_guide, .position = {{0.001f * (float)(i % SIZE), 0.001f * (float)(i / SIZE), 0}},
+            .normal = {{0, 0, 1}}, .pixel_size = 0.001f);
         picture->pixels[i] = (struct atrous_pixel){{{1, 1, 1}}, 100};
     }
 }

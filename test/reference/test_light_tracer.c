@@ -210,18 +210,12 @@ static const struct medium fog = {
 
 /* From the side; an orthographic camera looks down, too. */
 static void look_along(struct world *world, bool orthographic) {
-    world->camera = (struct camera){.eye = {0, .5F, 2.2F},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .fov_y = .45F};
+    world->camera = FILLED(camera, .eye = {0, .5F, 2.2F}, .right = {1, 0, 0}, .up = {0, 1, 0},
+                           .forward = {0, 0, -1}, .fov_y = .45F);
     if (orthographic)
-        world->camera = (struct camera){.orthographic = true,
-                                        .eye = {0, 1.6F, 1.6F},
-                                        .right = {1, 0, 0},
-                                        .up = {0, .8F, -.6F},
-                                        .forward = {0, -.6F, -.8F},
-                                        .y_extent = .7F};
+        world->camera =
+            FILLED(camera, .orthographic = true, .eye = {0, 1.6F, 1.6F}, .right = {1, 0, 0},
+                   .up = {0, .8F, -.6F}, .forward = {0, -.6F, -.8F}, .y_extent = .7F);
 }
 
 /* Light straight from the light is direct light and airlight. */
@@ -423,12 +417,9 @@ TEST(sides) {
         world.materials[MATERIAL_SMOOTH].thin_walled = true;
         add_rectangle(&world, MATERIAL_SMOOTH, at(-.9F, -.2F, -.2F), at(0, 0, .4F), at(0, .4F, 0));
         finish(&world, 1.5F);
-        world.camera = (struct camera){.orthographic = true,
-                                       .eye = {1.6F * turn, 0, 1.2F * turn},
-                                       .right = {.6F * turn, 0, -.8F * turn},
-                                       .up = {0, 1, 0},
-                                       .forward = {-.8F * turn, 0, -.6F * turn},
-                                       .y_extent = .1F};
+        world.camera = FILLED(camera, .orthographic = true, .eye = {1.6F * turn, 0, 1.2F * turn},
+                              .right = {.6F * turn, 0, -.8F * turn}, .up = {0, 1, 0},
+                              .forward = {-.8F * turn, 0, -.6F * turn}, .y_extent = .1F);
         place_light(&world, EMITTER_DIRECTIONAL, at(0, 0, 0), at(1, 0, 0), 1);
         struct medium thin = {.scattering = {1e-3F, 1e-3F, 1e-3F}, .g = .6F * turn};
         trace(&world, NULL, &(struct look){.size = 8, .samples = 1, .paths = 30000, .medium = thin},

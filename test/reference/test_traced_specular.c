@@ -24,12 +24,9 @@ static void make_floor(struct world *world, float roughness) {
 
 static void look_tilted(struct world *world, float cosine) {
     float sine = sqrtf(1 - cosine * cosine);
-    world->camera = (struct camera){.orthographic = true,
-                                    .eye = {2 * sine, 2 * cosine, 0},
-                                    .right = {0, 0, -1},
-                                    .up = {-cosine, sine, 0},
-                                    .forward = {-sine, -cosine, 0},
-                                    .y_extent = .01F};
+    world->camera =
+        FILLED(camera, .orthographic = true, .eye = {2 * sine, 2 * cosine, 0}, .right = {0, 0, -1},
+               .up = {-cosine, sine, 0}, .forward = {-sine, -cosine, 0}, .y_extent = .01F);
 }
 
 /* Under a sky of 1 a white metal shows its albedo. */
@@ -401,13 +398,10 @@ TEST(light_on_horizon) {
     x.normal = x.geometric_normal = x.towards = vec3s_unit(at(-.3F, .9F, 0));
     struct light_vertices lights = {.items = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *lights.items)};
     for (int i = 0; i < LIGHT_VERTEX_COUNT; i++)
-        lights.items[i] = (struct light_vertex){
-            .position = glms_vec3_add(x.position, place_on_horizon(x.normal)),
-            .normal = glms_vec3_negate(x.normal),
-            .radiance = glms_vec3_one(),
-            .density = 1,
-            .diffuse = true,
-        };
+        lights.items[i] =
+            FILLED(light_vertex, .position = glms_vec3_add(x.position, place_on_horizon(x.normal)),
+                   .normal = glms_vec3_negate(x.normal), .radiance = glms_vec3_one(), .density = 1,
+                   .diffuse = true);
     struct path_scene scene = {&rays, &emission, 1};
     struct sampler sampler = {0};
     struct reflected light = path_indirect(&scene, &lights, &x, &sampler);

@@ -8,14 +8,9 @@
 
 static struct vpl_sum_desc sum_desc(struct world *world, const struct vpl *vpls, int count,
                                     int size) {
-    return (struct vpl_sum_desc){.scene = &world->scene,
-                                 .geometry = &world->geometry,
-                                 .camera = &world->camera,
-                                 .emitters = {.items = &world->light, .count = 1},
-                                 .vpls = vpls,
-                                 .vpl_count = count,
-                                 .width = size,
-                                 .height = size};
+    return FILLED(vpl_sum_desc, .scene = &world->scene, .geometry = &world->geometry,
+                  .camera = &world->camera, .emitters = {.items = &world->light, .count = 1},
+                  .vpls = vpls, .vpl_count = count, .width = size, .height = size);
 }
 
 /* VPL i of the world's spot or point light, from the light's first hit. */
@@ -34,10 +29,8 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     float intensity =
         world->light.intensity[0] * emitter_cone(&world->light, glms_vec3_dot(way, axis));
     float flux = hit.brdf.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;
-    return (struct vpl){.position = {p[0], p[1], p[2]},
-                        .normal = {n[0], n[1], n[2]},
-                        .flux = {flux, flux, flux},
-                        .reach = 1};
+    return FILLED(vpl, .position = {p[0], p[1], p[2]}, .normal = {n[0], n[1], n[2]},
+                  .flux = {flux, flux, flux}, .reach = 1);
 }
 
 static struct vpl *trace_vpls(struct world *world, int count) {

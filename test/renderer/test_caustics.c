@@ -133,11 +133,9 @@ static struct image draw_between(const struct between *between) {
     if (between->intensity[0] > 0)
         memcpy(light->intensity, between->intensity, sizeof light->intensity);
     emitter_aim(light, down);
-    stage.camera = (struct camera){.eye = {(from + to) / 2, -8, 2},
-                                   .right = {1, 0, 0},
-                                   .up = {0, 0, 1},
-                                   .forward = {0, 1, 0},
-                                   .fov_y = 2 * atanf((to - from) / 16)};
+    stage.camera =
+        FILLED(camera, .eye = {(from + to) / 2, -8, 2}, .right = {1, 0, 0}, .up = {0, 0, 1},
+               .forward = {0, 1, 0}, .fov_y = 2 * atanf((to - from) / 16));
     struct image drawn =
         draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=256");
     return drawn;
@@ -223,11 +221,8 @@ TEST(chance) {
             if (i != last * (LIGHTS - 1))
                 memset(stage.emitters.items[i].intensity, 0, sizeof light.intensity);
         }
-        stage.camera = (struct camera){.eye = {0, -6, .4F},
-                                       .right = {1, 0, 0},
-                                       .up = {0, 0, 1},
-                                       .forward = {0, 1, 0},
-                                       .fov_y = .12F};
+        stage.camera = FILLED(camera, .eye = {0, -6, .4F}, .right = {1, 0, 0}, .up = {0, 0, 1},
+                              .forward = {0, 1, 0}, .fov_y = .12F);
         OWNED(image) drawn = draw(
             &stage, CHEAP
             "caustics.surface=patches caustics.medium=lines caustics.size=256 caustics.chains=1");
@@ -246,11 +241,8 @@ TEST(published) {
     OWNED(stage) stage;
     open_slab(&stage, 1, .1F, .75F);
     set_medium(&stage, .15F, .02F, .3F);
-    stage.camera = (struct camera){.eye = {0, -6, .5F},
-                                   .right = {1, 0, 0},
-                                   .up = {0, 0, 1},
-                                   .forward = {0, 1, 0},
-                                   .fov_y = .1F};
+    stage.camera = FILLED(camera, .eye = {0, -6, .5F}, .right = {1, 0, 0}, .up = {0, 0, 1},
+                          .forward = {0, 1, 0}, .fov_y = .1F);
     char text[256];
     snprintf(text, sizeof text, "%slines", lines);
     OWNED(image) right = draw(&stage, text);

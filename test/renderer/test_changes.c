@@ -31,12 +31,8 @@ static int set_up_scene(void **state, const char *path) {
     check_ok("scene", scene_load(&fixture->scene, path));
     check_ok("geometry", geometry_init(&fixture->geometry, &fixture->scene, 0));
     struct renderer_desc *desc = &fixture->desc;
-    *desc = (struct renderer_desc){.width = WIDTH,
-                                   .height = HEIGHT,
-                                   .technique = technique_default,
-                                   .scene = &fixture->scene,
-                                   .geometry = &fixture->geometry,
-                                   .keep_lights = true};
+    *desc = FILLED(renderer_desc, .width = WIDTH, .height = HEIGHT, .technique = technique_default,
+                   .scene = &fixture->scene, .geometry = &fixture->geometry, .keep_lights = true);
     renderer_settings_init(&desc->settings);
     set(&desc->settings, "vpls=128 vals=8 map-size=32 rsm-size=64 shadow-size=128");
     camera_place(&desc->camera, &fixture->scene, 0, 0);

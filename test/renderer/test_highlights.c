@@ -55,12 +55,8 @@ static void open_ellipsoid(struct stage *stage, const char *radii) {
                                        .meshes = "[{primitives: [{attributes: {POSITION: 0, "
                                                  "NORMAL: 0}, indices: 1, material: 0}]}]",
                                        .nodes = nodes)));
-    stage->camera = (struct camera){.eye = {0, 0, 3},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .orthographic = true,
-                                    .y_extent = .5F};
+    stage->camera = FILLED(camera, .eye = {0, 0, 3}, .right = {1, 0, 0}, .up = {0, 1, 0},
+                           .forward = {0, 0, -1}, .orthographic = true, .y_extent = .5F);
 }
 
 static void open_ball(struct stage *stage) {

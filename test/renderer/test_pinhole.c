@@ -254,14 +254,12 @@ TEST(refusals) {
     const struct manylight_mesh mesh = {
         .size = sizeof mesh, .positions = (float[]){0, 0, 0, 1, 0, 0, 0, 1, 0}, .vertex_count = 3};
     struct manylight_scene *none;
-    check_failed(manylight_scene_open(
-                     &(struct manylight_scene_desc){.size = sizeof(struct manylight_scene_desc),
-                                                    .meshes = &mesh,
-                                                    .mesh_count = 1,
-                                                    .cameras = &shifted,
-                                                    .camera_count = 1},
-                     &none),
-                 MANYLIGHT_BAD_SCENE, "camera 0: shift");
+    check_failed(
+        manylight_scene_open(&FILLED(manylight_scene_desc,
+                                     .size = sizeof(struct manylight_scene_desc), .meshes = &mesh,
+                                     .mesh_count = 1, .cameras = &shifted, .camera_count = 1),
+                             &none),
+        MANYLIGHT_BAD_SCENE, "camera 0: shift");
 }
 
 /* A picture without --size has that of the intrinsics. */

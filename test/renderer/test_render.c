@@ -246,10 +246,9 @@ TEST(turns) {
 static float *gather(struct renderer *renderer, const struct vpl_buffer *vpls, int interleave,
                      size_t *count) {
     struct gather_pass pass;
-    check_ok("gather", gather_pass_init(&pass, &(struct gather_desc){.width = SIZE,
-                                                                     .height = SIZE,
-                                                                     .interleave = interleave,
-                                                                     .clamp = GATHER_CLAMP_DISK}));
+    check_ok("gather", gather_pass_init(&pass, &FILLED(gather_desc, .width = SIZE, .height = SIZE,
+                                                       .interleave = interleave,
+                                                       .clamp = GATHER_CLAMP_DISK)));
     struct frame frame = renderer_frame(renderer);
     gather_pass_clear(&pass);
     gather_pass_render(&pass, &frame, &renderer->gbuffer, &(struct gather_inputs){.vpls = vpls});

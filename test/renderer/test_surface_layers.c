@@ -32,17 +32,10 @@ static struct image trace(const struct stage *stage, const struct camera *camera
     struct image image;
     check_ok("trace",
              path_tracer_render(
-                 &(struct path_tracer_desc){.scene = &stage->scene,
-                                            .geometry = &stage->geometry,
-                                            .camera = camera,
-                                            .emitters = stage->emitters,
-                                            .width = WIDTH,
-                                            .height = HEIGHT,
-                                            .samples = 1,
-                                            .bounces = 0,
-                                            .centers = true,
-                                            .surface_layers = motion ? all_and_motion : all,
-                                            .motion = motion},
+                 &FILLED(path_tracer_desc, .scene = &stage->scene, .geometry = &stage->geometry,
+                         .camera = camera, .emitters = stage->emitters, .width = WIDTH,
+                         .height = HEIGHT, .samples = 1, .bounces = 0, .centers = true,
+                         .surface_layers = motion ? all_and_motion : all, .motion = motion),
                  &image, NULL));
     return image;
 }

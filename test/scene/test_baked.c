@@ -69,10 +69,8 @@ static struct vertex ball_at(const void *of, float x, float y) {
 
 static struct vertex floor_at(const void *of, float x, float y) {
     (void)of;
-    return (struct vertex){.position = {4 * x - 2, 0, 2 - 4 * y},
-                           .normal = {0, 1, 0},
-                           .uv = {{x, y}, {x, y}},
-                           .color = {1, 1, 1, 1}};
+    return FILLED(vertex, .position = {4 * x - 2, 0, 2 - 4 * y}, .normal = {0, 1, 0},
+                  .uv = {{x, y}, {x, y}}, .color = {1, 1, 1, 1});
 }
 
 /* --- textures --------------------------------------------------------------------------------- */

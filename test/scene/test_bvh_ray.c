@@ -19,10 +19,10 @@ static vec3s point_of(uint32_t i) {
 static struct bvh_triangle *scatter_triangles(uint32_t count, float size) {
     struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
     for (uint32_t i = 0; i < count; i++)
-        triangles[i] = (struct bvh_triangle){.corner = point_of(3 * i),
-                                             .edges = {glms_vec3_scale(point_of(7 * i + 1), size),
-                                                       glms_vec3_scale(point_of(11 * i + 2), size)},
-                                             .number = i};
+        triangles[i] = FILLED(bvh_triangle, .corner = point_of(3 * i),
+                              .edges = {glms_vec3_scale(point_of(7 * i + 1), size),
+                                        glms_vec3_scale(point_of(11 * i + 2), size)},
+                              .number = i);
     return triangles;
 }
 
@@ -193,10 +193,7 @@ TEST(one_place) {
     struct bvh tree;
     struct bvh_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
     for (uint32_t i = 0; i < COUNT; i++)
-        triangles[i] = (struct bvh_triangle){
-            .edges = {{{1, 0, 0}}, {{0, 1, 0}}},
-            .number = i,
-        };
+        triangles[i] = FILLED(bvh_triangle, .edges = {{{1, 0, 0}}, {{0, 1, 0}}}, .number = i);
     bvh_init(&tree, triangles, COUNT);
     printf("  %u nodes, %u triangles in the first\n", tree.node_count, tree.nodes[0].count);
     assert_int_equal(tree.node_count, 1);

@@ -12,11 +12,8 @@ static void make_box(struct geometry *geometry) {
     static const uint8_t faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     static const uint8_t corners[6] = {0, 1, 2, 0, 2, 3};
-    *geometry = (struct geometry){.vertex_count = 36,
-                                  .index_count = 36,
-                                  .batch_count = 2,
-                                  .blocking_batch_count = 2,
-                                  .radius = 1};
+    *geometry = FILLED(geometry, .vertex_count = 36, .index_count = 36, .batch_count = 2,
+                       .blocking_batch_count = 2, .radius = 1);
     geometry->position = mem_alloc(37, sizeof *geometry->position);
     geometry->uv[0] = mem_alloc(36, sizeof *geometry->uv[0]);
     geometry->mapping_count = 1;
@@ -203,21 +200,14 @@ static void ball_point(int row, int column, float point[3]) {
 /* A unit sphere of triangles with vertices of their own, in two parts: the halves of the rows. */
 static void make_ball(struct geometry *ball) {
     static const int steps[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
-    *ball = (struct geometry){
-        .vertex_count = BALL_INDICES,
-        .index_count = BALL_INDICES,
-        .opaque_index_count = BALL_INDICES,
-        .batch_count = 1,
-        .blocking_batch_count = 1,
-        .part_count = 2,
-        .radius = 1,
-        .position = mem_alloc(BALL_INDICES + 1, sizeof *ball->position),
-        .uv = {mem_alloc(BALL_INDICES, sizeof *ball->uv[0])},
-        .mapping_count = 1,
-        .indices = mem_alloc(BALL_INDICES, sizeof *ball->indices),
-        .batches = mem_alloc(1, sizeof *ball->batches),
-        .parts = mem_alloc(2, sizeof *ball->parts),
-    };
+    *ball = FILLED(geometry, .vertex_count = BALL_INDICES, .index_count = BALL_INDICES,
+                   .opaque_index_count = BALL_INDICES, .batch_count = 1, .blocking_batch_count = 1,
+                   .part_count = 2, .radius = 1,
+                   .position = mem_alloc(BALL_INDICES + 1, sizeof *ball->position),
+                   .uv = {mem_alloc(BALL_INDICES, sizeof *ball->uv[0])}, .mapping_count = 1,
+                   .indices = mem_alloc(BALL_INDICES, sizeof *ball->indices),
+                   .batches = mem_alloc(1, sizeof *ball->batches),
+                   .parts = mem_alloc(2, sizeof *ball->parts));
     for (int i = 0; i < BALL_INDICES; i++) {
         int quad = i / 6, row = quad / COLUMNS, column = quad % COLUMNS;
         ball_point(row + steps[i % 6][0], column + steps[i % 6][1], ball->position[i]);
@@ -225,15 +215,10 @@ static void make_ball(struct geometry *ball) {
     }
     ball->batches[0].index_count = BALL_INDICES;
     for (uint32_t p = 0; p < 2; p++)
-        ball->parts[p] = (struct geometry_part){
-            .first_vertex = p * BALL_INDICES / 2,
-            .vertex_count = BALL_INDICES / 2,
-            .first_index = p * BALL_INDICES / 2,
-            .index_count = BALL_INDICES / 2,
-            .rigid = true,
-            .bounds_min = {-1, -1, -1},
-            .bounds_max = {1, 1, 1},
-        };
+        ball->parts[p] = FILLED(
+            geometry_part, .first_vertex = p * BALL_INDICES / 2, .vertex_count = BALL_INDICES / 2,
+            .first_index = p * BALL_INDICES / 2, .index_count = BALL_INDICES / 2, .rigid = true,
+            .bounds_min = {-1, -1, -1}, .bounds_max = {1, 1, 1});
 }
 
 /* How deep the triangles lie within the unit sphere. */

@@ -127,10 +127,10 @@ static char *many_lights(void) {
 
 static char *many_cameras(void) {
     char *tree = nodes(100000, "{\"camera\":0}");
-    char *text = scene_text(&(struct parts){
-        .nodes = tree,
+    char *text = scene_text(&FILLED(
+        parts, .nodes = tree,
         .more =
-            ",\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}]"});
+            ",\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}]"));
     free(tree);
     return text;
 }
@@ -150,12 +150,11 @@ static char *same_triangle(void) {
     for (int i = 0; i < 300000; i++)
         text_print(&indices, "AAABAAIA");
     text_print(&indices, "\"}");
-    char *text = scene_text(&(struct parts){
-        .primitive = "{\"attributes\":{\"POSITION\":0},\"indices\":1}",
-        .buffers = indices.data,
-        .views = ",{\"buffer\":1,\"byteLength\":1800000}",
+    char *text = scene_text(&FILLED(
+        parts, .primitive = "{\"attributes\":{\"POSITION\":0},\"indices\":1}",
+        .buffers = indices.data, .views = ",{\"buffer\":1,\"byteLength\":1800000}",
         .accessors =
-            ",{\"bufferView\":1,\"componentType\":5123,\"count\":900000,\"type\":\"SCALAR\"}"});
+            ",{\"bufferView\":1,\"componentType\":5123,\"count\":900000,\"type\":\"SCALAR\"}"));
     free(indices.data);
     return text;
 }
@@ -205,10 +204,10 @@ static struct cost run(const char *command, const char *output) {
     int status;
     struct rusage usage;
     assert_int_equal(wait4(child, &status, 0, &usage), child);
-    return (struct cost){.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
-                         .cpu = (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-                                1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec),
-                         .mib = (double)usage.ru_maxrss / 1024};
+    return FILLED(cost, .status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+                  .cpu = (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                         1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec),
+                  .mib = (double)usage.ru_maxrss / 1024);
 }
 
 /* Small maps: what counts is what comes before the drawing. */

@@ -63,11 +63,9 @@ static void start_scene(struct scene *scene, int primitives, bool double_sided) 
     for (unsigned i = 0; i < 16; i++)
         scene->textures[0].bitmap.rgba[i] = (unsigned char)(i < 4 || i % 4 == 3 ? 255 : 10 * i);
     scene->materials = mem_alloc(1, sizeof *scene->materials);
-    scene->materials[0] = (struct material){.emission = {2, 1, 1},
-                                            .double_sided = double_sided,
-                                            .normal_texture = -1,
-                                            .base_color_texture = -1,
-                                            .metal_roughness_texture = -1};
+    scene->materials[0] =
+        FILLED(material, .emission = {2, 1, 1}, .double_sided = double_sided, .normal_texture = -1,
+               .base_color_texture = -1, .metal_roughness_texture = -1);
     scene->meshes = mem_alloc(1, sizeof *scene->meshes);
     scene->meshes[0].primitives = mem_alloc((size_t)primitives, sizeof(struct primitive));
     scene->meshes[0].primitive_count = primitives;
@@ -146,10 +144,9 @@ TEST(touching) {
 static void make_solid(struct primitive *primitive, const float size[3], float top) {
     static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                          {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
-    *primitive = (struct primitive){.vertex_count = 8,
-                                    .position = mem_alloc(8, sizeof *primitive->position),
-                                    .uv = {mem_alloc(8, sizeof *primitive->uv[0])},
-                                    .indices = mem_alloc(36, sizeof(uint32_t))};
+    *primitive = FILLED(
+        primitive, .vertex_count = 8, .position = mem_alloc(8, sizeof *primitive->position),
+        .uv = {mem_alloc(8, sizeof *primitive->uv[0])}, .indices = mem_alloc(36, sizeof(uint32_t)));
     for (int i = 0; i < 8; i++)
         primitive->uv[0][i][0] = .125F;
     for (int i = 0; i < 8; i++)

@@ -29,17 +29,11 @@ static inline void world_init(struct world *world) {
     struct geometry *geometry = &world->geometry;
     memset(world, 0, sizeof *world);
     for (int m = 0; m < MAX_MATERIALS; m++)
-        world->materials[m] =
-            (struct material){.base_color = {0.5f, 0.5f, 0.5f, 1},
-                              .roughness = 1,
-                              .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
-                              .specular_f90 = 1,
-                              .index_of_refraction = 1.5f,
-                              .base_color_texture = -1,
-                              .metal_roughness_texture = -1,
-                              .emission_texture = -1,
-                              .normal_texture = -1,
-                              .alpha_cutoff = 0.5f};
+        world->materials[m] = FILLED(
+            material, .base_color = {0.5f, 0.5f, 0.5f, 1}, .roughness = 1,
+            .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0}, .specular_f90 = 1,
+            .index_of_refraction = 1.5f, .base_color_texture = -1, .metal_roughness_texture = -1,
+            .emission_texture = -1, .normal_texture = -1, .alpha_cutoff = 0.5f);
     world->scene.materials = world->materials;
     geometry->position = mem_alloc(MAX_VERTICES + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(MAX_VERTICES, sizeof *geometry->normal);
@@ -140,23 +134,16 @@ static inline void world_finish(struct world *world) {
 
 /* Orthographic, straight down on the square [x0, x0 + size] x [z0, z0 + size] of the floor. */
 static inline void look_down(struct world *world, float x0, float z0, float size, float height) {
-    world->camera = (struct camera){
-        .orthographic = true,
-        .eye = {x0 + size / 2, height, z0 + size / 2},
-        .right = {1, 0, 0},
-        .up = {0, 0, -1},
-        .forward = {0, -1, 0},
-        .y_extent = size / 2,
-    };
+    world->camera =
+        FILLED(camera, .orthographic = true, .eye = {x0 + size / 2, height, z0 + size / 2},
+               .right = {1, 0, 0}, .up = {0, 0, -1}, .forward = {0, -1, 0}, .y_extent = size / 2);
 }
 
 static inline void place_light(struct world *world, enum emitter_type type, vec3s position,
                                vec3s direction, float intensity) {
     struct emitter *light = &world->light;
-    *light = (struct emitter){.type = type,
-                              .intensity = {intensity, intensity, intensity},
-                              .cos_inner = -1,
-                              .cos_outer = -1};
+    *light = FILLED(emitter, .type = type, .intensity = {intensity, intensity, intensity},
+                    .cos_inner = -1, .cos_outer = -1);
     memcpy(light->position, position.raw, sizeof position.raw);
     memcpy(light->direction, vec3s_unit(direction).raw, sizeof direction.raw);
 }
@@ -167,22 +154,15 @@ static inline void world_in_sphere(struct world *world) {
     world_init(world);
     add_sphere(world, 0, 64);
     world_finish(world);
-    world->camera = (struct camera){.eye = {0.2f, 0.1f, 0.6f},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .fov_y = 1.4f};
+    world->camera = FILLED(camera, .eye = {0.2f, 0.1f, 0.6f}, .right = {1, 0, 0}, .up = {0, 1, 0},
+                           .forward = {0, 0, -1}, .fov_y = 1.4f);
     place_light(world, EMITTER_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
 }
 
 static inline struct path_tracer_desc describe(struct world *world, int size, int samples) {
-    return (struct path_tracer_desc){.scene = &world->scene,
-                                     .geometry = &world->geometry,
-                                     .camera = &world->camera,
-                                     .emitters = {.items = &world->light, .count = 1},
-                                     .width = size,
-                                     .height = size,
-                                     .samples = samples};
+    return FILLED(path_tracer_desc, .scene = &world->scene, .geometry = &world->geometry,
+                  .camera = &world->camera, .emitters = {.items = &world->light, .count = 1},
+                  .width = size, .height = size, .samples = samples);
 }
 
 static inline struct path_tracer_progress render(const struct path_tracer_desc *desc,

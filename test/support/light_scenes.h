@@ -9,13 +9,9 @@
 enum { MATERIAL_FLOOR, MATERIAL_SMOOTH, MATERIAL_INNER };
 
 static inline void make_glass(struct material *material, float index) {
-    *material = (struct material){.base_color = {1, 1, 1, 1},
-                                  .transmission = 1,
-                                  .index_of_refraction = index,
-                                  .base_color_texture = -1,
-                                  .metal_roughness_texture = -1,
-                                  .emission_texture = -1,
-                                  .normal_texture = -1};
+    *material = FILLED(material, .base_color = {1, 1, 1, 1}, .transmission = 1,
+                       .index_of_refraction = index, .base_color_texture = -1,
+                       .metal_roughness_texture = -1, .emission_texture = -1, .normal_texture = -1);
 }
 
 static inline void make_mirror(struct material *material, float reflectance) {
@@ -89,18 +85,12 @@ static inline struct light_tracer_result trace(struct world *world, const struct
         desc.emitters = *lights;
     render(&desc, image);
     check_ok("light paths",
-             light_tracer_render(&(struct light_tracer_desc){.scene = &world->scene,
-                                                             .geometry = &world->geometry,
-                                                             .camera = &world->camera,
-                                                             .emitters = desc.emitters,
-                                                             .width = look->size,
-                                                             .height = look->size,
-                                                             .paths = look->paths,
-                                                             .medium = look->medium,
-                                                             .seed = look->seed,
-                                                             .straight = look->straight,
-                                                             .threads = look->threads},
-                                 image, &result));
+             light_tracer_render(
+                 &FILLED(light_tracer_desc, .scene = &world->scene, .geometry = &world->geometry,
+                         .camera = &world->camera, .emitters = desc.emitters, .width = look->size,
+                         .height = look->size, .paths = look->paths, .medium = look->medium,
+                         .seed = look->seed, .straight = look->straight, .threads = look->threads),
+                 image, &result));
     return result;
 }
 

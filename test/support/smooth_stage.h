@@ -36,11 +36,8 @@ static inline void open_nodes(struct stage *stage, const char *nodes, float eye)
                             "{metallicFactor: 0}}]",
                .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
                          "{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1}]}]")));
-    stage->camera = (struct camera){.eye = {0, 0, eye},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .fov_y = .05F};
+    stage->camera = FILLED(camera, .eye = {0, 0, eye}, .right = {1, 0, 0}, .up = {0, 1, 0},
+                           .forward = {0, 0, -1}, .fov_y = .05F);
     emitters_free(&stage->emitters);
     stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
     stage->emitters.items[0] = emitter_new(EMITTER_SPOT);

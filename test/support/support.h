@@ -55,6 +55,9 @@ int run_file(const char *file, CMFixtureFunction setup, CMFixtureFunction teardo
 /* Declares a struct that x_free frees where the scope ends: OWNED(image) drawn = draw(...); */
 #define OWNED(x) __attribute__((cleanup(x##_free))) struct x
 
+/* A struct of these members: &FILLED(camera, .eye = {0, 0, 1}, .fov_y = 1). */
+#define FILLED(type, ...) ((struct type){__VA_ARGS__})
+
 /* Fails with both values when |value - expected| > tolerance; prints them either way. */
 void check_near(const char *what, double value, double expected, double tolerance);
 

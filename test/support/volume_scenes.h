@@ -245,14 +245,12 @@ static inline void open_lit(struct lit *lit, const struct stage *stage, const ch
     lit->frame = renderer_frame(&lit->renderer);
     check_ok("shadow maps", shadow_map_pass_init(
                                 &lit->shadows, &(struct shadow_map_desc){512, lit->frame.layout}));
-    check_ok("volume", volume_light_init(&lit->light, &(struct volume_light_desc){
-                                                          .settings = &lit->renderer.desc.settings,
-                                                          .geometry = &stage->geometry,
-                                                          .width = 32,
-                                                          .height = 32,
-                                                          .scene = &stage->scene,
-                                                          .channels = VOLUME_RADIANCE,
-                                                          .bounces = bounces}));
+    check_ok("volume",
+             volume_light_init(&lit->light,
+                               &FILLED(volume_light_desc, .settings = &lit->renderer.desc.settings,
+                                       .geometry = &stage->geometry, .width = 32, .height = 32,
+                                       .scene = &stage->scene, .channels = VOLUME_RADIANCE,
+                                       .bounces = bounces)));
     light_volume(lit);
 }
 

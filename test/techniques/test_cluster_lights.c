@@ -62,13 +62,10 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
     check_ok("normals",
              buffer_init(&normal_buffer, "normals", (size_t)count * sizeof *normals, normals));
     check_ok("answers", buffer_init(&answer_buffer, "answers", sizeof answers, NULL));
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "rectangles",
-                             .program = program,
-                             .blocks = {{BLOCK_VPLS, &vpl_buffer},
-                                        {BLOCK_LIGHT_RECTANGLES, &rectangle_buffer}},
-                             .storages = {{0, &normal_buffer}, {1, &answer_buffer}},
-                         });
+    pass_begin(&untimed, &FILLED(pass_state, .name = "rectangles", .program = program,
+                                 .blocks = {{BLOCK_VPLS, &vpl_buffer},
+                                            {BLOCK_LIGHT_RECTANGLES, &rectangle_buffer}},
+                                 .storages = {{0, &normal_buffer}, {1, &answer_buffer}}));
     pass_dispatch(1, 1, 1);
     pass_end(&untimed);
     buffer_read(&answer_buffer, 0, (size_t)count * sizeof *answers, answers);
@@ -273,12 +270,9 @@ static void make_twice(const struct vpl *vpls, bool turned, struct vpl lights[LI
     for (int i = 0; i < POINTS; i++)
         second[i] = vpls[turned ? POINTS - 1 - i : i];
     open_maker(&maker, POINTS,
-               &(struct cluster_desc){.val_count = LIGHTS,
-                                      .iterations = 3,
-                                      .start = CLUSTER_START_WARM,
-                                      .weight_position = 1,
-                                      .weight_normal = .1f,
-                                      .weight_flux = .5f});
+               &FILLED(cluster_desc, .val_count = LIGHTS, .iterations = 3,
+                       .start = CLUSTER_START_WARM, .weight_position = 1, .weight_normal = .1f,
+                       .weight_flux = .5f));
     make_lights(&maker, vpls);
     make_lights(&maker, second);
     memcpy(lights, maker.lights, LIGHTS * sizeof *lights);

@@ -40,10 +40,9 @@ static void check_points(const char *path, bool black, bool double_sided) {
         for (int c = 0; c < 3 && black; c++)
             stage.scene.materials[m].base_color[c] = 0;
     }
-    surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
-                                                               .geometry = &stage.geometry,
-                                                               .count = 4096,
-                                                               .first = 4096});
+    surface_points_init(&points,
+                        &FILLED(surface_points_desc, .scene = &stage.scene,
+                                .geometry = &stage.geometry, .count = 4096, .first = 4096));
     for (int i = 0; i < points.count; i++)
         area += (double)surface_points_place(&points, &stage.geometry, i).area;
     check_near(path, area / area_of(&stage.geometry), 1, .01);
@@ -251,12 +250,10 @@ static void run_filling(struct filling *filling) {
     struct map_views block = {.count = MAPS};
     struct depth_maps maps = {.size = SIDE, .count = MAPS};
     check_ok("fill", fill_pass_init(&fill, SIDE, MAPS));
-    check_ok("holes", texture_init(&holes, &(struct texture_desc){.label = "holes",
-                                                                  .target = GL_TEXTURE_2D_ARRAY,
-                                                                  .format = GL_DEPTH_COMPONENT16,
-                                                                  .width = SIDE,
-                                                                  .height = SIDE,
-                                                                  .layers = MAPS}));
+    check_ok("holes", texture_init(&holes, &FILLED(texture_desc, .label = "holes",
+                                                   .target = GL_TEXTURE_2D_ARRAY,
+                                                   .format = GL_DEPTH_COMPONENT16, .width = SIDE,
+                                                   .height = SIDE, .layers = MAPS)));
     check_ok("views", buffer_init(&block.buffer, "views", sizeof views, views));
     gl.TextureSubImage3D(holes.id, 0, 0, 0, 0, SIDE, SIDE, MAPS, GL_DEPTH_COMPONENT, GL_FLOAT,
                          filling->before);

@@ -209,10 +209,8 @@ TEST(rows) {
     pixels.sums = vpls->sums;
     vpl_views_pass_render(&views, &frame, &pixels, 0, pixels.count);
     rows_pass_render(&rows, &frame,
-                     &(struct rows_inputs){.vpls = vpls,
-                                           .count = pixels.count,
-                                           .gather_params = &gather_params,
-                                           .visibility.views = &views.views});
+                     &FILLED(rows_inputs, .vpls = vpls, .count = pixels.count,
+                             .gather_params = &gather_params, .visibility.views = &views.views));
     float(*matrix)[4] = mem_alloc(SIZE * SIZE * VPLS, sizeof *matrix);
     rows_pass_read(&rows, matrix);
     compare_rows((const float(*)[4])matrix, VPLS, &picture);

@@ -63,10 +63,9 @@ static void ask(const struct caster_bvh *tree, const struct pair *pairs, uint32_
     glsl_set_folder(NULL);
     check_ok("pairs", buffer_init(&asked, "pairs", PAIRS * sizeof *pairs, pairs));
     check_ok("answers", buffer_init(&answered, "answers", PAIRS * sizeof *answers, NULL));
-    pass_begin(&untimed, &(struct pass_state){.name = "rays",
-                                              .program = program,
-                                              .textures = {{UNIT_BVH, tree->buffer.texels}},
-                                              .storages = {{0, &asked}, {1, &answered}}});
+    pass_begin(&untimed, &FILLED(pass_state, .name = "rays", .program = program,
+                                 .textures = {{UNIT_BVH, tree->buffer.texels}},
+                                 .storages = {{0, &asked}, {1, &answered}}));
     pass_dispatch((PAIRS + 63) / 64, 1, 1);
     pass_end(&untimed);
     buffer_read(&answered, 0, PAIRS * sizeof *answers, answers);

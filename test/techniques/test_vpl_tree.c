@@ -63,13 +63,11 @@ static float power(const struct bench *bench, int node) {
 static struct light_node node_at(const struct bench *bench, int node) {
     const float *low = bench->rows[TREE_LOW][node], *high = bench->rows[TREE_HIGH][node],
                 *cone = bench->rows[TREE_CONE][node];
-    return (struct light_node){
-        .extent = {vector_of(low), vector_of(high), vector_of(cone), cone[3],
-                   sqrtf(fmaxf(1 - cone[3] * cone[3], 0))},
-        .flux = vector_of(bench->rows[TREE_FLUX][node]),
-        .power = power(bench, node),
-        .area = high[3],
-    };
+    return FILLED(light_node,
+                  .extent = {vector_of(low), vector_of(high), vector_of(cone), cone[3],
+                             sqrtf(fmaxf(1 - cone[3] * cone[3], 0))},
+                  .flux = vector_of(bench->rows[TREE_FLUX][node]), .power = power(bench, node),
+                  .area = high[3]);
 }
 
 /* --- the tree --------------------------------------------------------------------------------- */
@@ -325,14 +323,10 @@ static void find_cuts(struct bench *bench, int nodes, float tolerance,
                       struct cut cuts[BLOCKS][BLOCKS]) {
     struct vpl_cut_pass pass;
     static GLuint texels[2 * (1 + CUT_NODES_MAX)][BLOCKS][BLOCKS];
-    check_ok("cuts", vpl_cut_pass_init(&pass, &(struct vpl_cut_desc){
-                                                  .width = SIZE,
-                                                  .height = SIZE,
-                                                  .block = BLOCK,
-                                                  .nodes = nodes,
-                                                  .tolerance = tolerance,
-                                                  .clamp = GATHER_CLAMP_DISK,
-                                              }));
+    check_ok("cuts",
+             vpl_cut_pass_init(&pass, &FILLED(vpl_cut_desc, .width = SIZE, .height = SIZE,
+                                              .block = BLOCK, .nodes = nodes,
+                                              .tolerance = tolerance, .clamp = GATHER_CLAMP_DISK)));
     struct frame frame = renderer_frame(&bench->renderer);
     vpl_cut_pass_render(&pass, &frame, &bench->renderer.gbuffer, &bench->tree.tree, false);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
