@@ -3,11 +3,10 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "metrics/box_error.h"
+#include "metrics/area_errors.h"
 #include "metrics/errors.h"
 #include "metrics/flip/flip.h"
 #include "metrics/flip/hdr_flip.h"
-#include "metrics/worst_share.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -9,7 +9,6 @@
 #include "gl/program.h"
 #include "reference/scene/emission.h"
 #include "scene/lights/flat_shape.h"
-#include "scene/node.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

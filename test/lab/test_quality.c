@@ -8,7 +8,6 @@
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"
-#include "quality/picture.h"
 #include "quality/quality.h"
 
 enum { SIDE = 96 };

@@ -81,8 +81,6 @@ static const struct hostile hostile_numbers[] = {
     CASE("weights without a mesh", "there is no triangle", .nodes = "[{weights: [1]}]"),
     CASE("metaballs without fields", "extras: these are no metaballs",
          .nodes = BALLS_OF("count: 3")),
-    CASE("metaballs in a plane", "extras: these are no metaballs",
-         .nodes = BALLS_OF("count: 3, reach: 1, cell: 1, period: 1, low: [0, 0], high: [4, 4, 4]")),
     CASE("metaballs in words", "extras: these are no metaballs",
          .nodes =
              BALLS_OF("count: 3, reach: 1, cell: 1, period: 1, low: [0, 0, x], high: [4, 4, 4]")),
@@ -94,9 +92,6 @@ static const struct hostile hostile_numbers[] = {
     CASE("metaballs without cells", "extras: these are no metaballs",
          .nodes =
              BALLS_OF("count: 3, reach: 1, cell: 0, period: 1, low: [0, 0, 0], high: [4, 4, 4]")),
-    CASE("metaballs without number", "extras: these are no metaballs",
-         .nodes =
-             BALLS_OF("count: -1, reach: 1, cell: 1, period: 1, low: [0, 0, 0], high: [4, 4, 4]")),
 
     CASE("cutoff too large", "material 0: alphaCutoff: 1e+300 is too large",
          .materials = "[{alphaMode: MASK, alphaCutoff: 1e300}]"),

@@ -8,8 +8,6 @@
 #include "base/file/output_file.h"
 #include "base/memory.h"
 #include "lab/export/meshes.h"
-#include "lab/export/mitsuba.h"
-#include "lab/export/pack.h"
 #include "scene/texture.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "lab/export/mitsuba.h"
+#include "lab/export/target.h"
 
 #include "apps/interrupt.h"
 #include "lab/export/lights.h"

@@ -1,4 +1,4 @@
-#include "lab/export/pack.h"
+#include "lab/export/target.h"
 
 #include "base/error.h"
 #include "base/file/output_file.h"

@@ -36,6 +36,17 @@ bool export_write(const struct export_target *target, const char *name, const ch
 void export_note(struct export_target *target, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* A scene pack: scene.glb as it is, environment.exr, and scene.json, which has camera, lights and
+ * picture in plain numbers (bench/schema/pack.schema.json). Error: also of a scene that is no GLB,
+ * and of lamps of which some shine and some do not. */
+bool export_pack(struct export_target *target);
+
+/* scene.xml of Mitsuba 3, for its variants of RGB, with its meshes and textures.
+ *
+ * Exact: triangles, camera, diffuse surfaces without a mask, points, area lights, meshes that shine
+ * on one side, the environment's turn. Notes name all that is not. */
+bool export_mitsuba(struct export_target *target);
+
 /* Whether the material reflects as a Lambertian surface. */
 bool export_is_diffuse(const struct export_target *target, const struct material *material);
 
