@@ -7,7 +7,6 @@
 #include "shared/composite.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 #include "reference/smooth.h"
 
-#include "reference/vector.h"
-
 #include <math.h>
 
 /* Of the angle of refraction; negative: total reflection. */

@@ -15,7 +15,6 @@
 
 #include "parts.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

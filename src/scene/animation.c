@@ -3,7 +3,6 @@
 #include "scene/shapes/metaballs.h"
 
 #include <cglm/cglm.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -17,27 +17,24 @@ static void write_pictures(void) {
 }
 
 #define TRIANGLE "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
-#define HEAD "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+#define HEAD "{asset:{version:'2.0'},scene:0,scenes:[{nodes:[0,1]}],"
 
 /* A triangle with such a texture; twice 30 million vertices, of which the file gives three. */
 static void write_scenes(void) {
-    write_text(scratch("huge-texture.gltf"),
-               HEAD "\"nodes\":[{\"mesh\":0},{}],\"meshes\":[{\"primitives\":[{\"attributes\":"
-                    "{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"name\":\"wall\","
-                    "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],\"textures\":"
-                    "[{\"source\":0}],\"images\":[{\"uri\":\"huge.tga\"}],\"buffers\":[{"
-                    "\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64," TRIANGLE
-                    "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{"
-                    "\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
-                    "\"min\":[0,0,0],\"max\":[1,1,0]}]}");
-    write_text(scratch("huge-mesh.gltf"),
-               HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
-                    "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"componentType\":5126,"
-                    "\"count\":30000000,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,1],"
-                    "\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":0,"
-                    "\"componentType\":5125},\"values\":{\"bufferView\":0,\"byteOffset\":12}}}],"
-                    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;"
-                    "base64," TRIANGLE "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]}");
+    write_json(scratch("huge-texture.gltf"),
+               HEAD "nodes:[{mesh:0},{}],meshes:[{primitives:[{attributes:{POSITION:0},material:0}]"
+                    "}],materials:[{name:wall,pbrMetallicRoughness:{baseColorTexture:{index:0}}}],"
+                    "textures:[{source:0}],images:[{uri:\"huge.tga\"}],buffers:[{byteLength:36,uri:"
+                    "\"data:application/octet-stream;base64," TRIANGLE
+                    "\"}],bufferViews:[{buffer:0,byteLength:36}],accessors:[{bufferView:0,"
+                    "componentType:5126,count:3,type:VEC3,min:[0,0,0],max:[1,1,0]}]}");
+    write_json(
+        scratch("huge-mesh.gltf"), HEAD
+        "nodes:[{mesh:0},{mesh:0}],meshes:[{primitives:[{attributes:{POSITION:0}}]}],accessors:[{"
+        "componentType:5126,count:30000000,type:VEC3,min:[0,0,0],max:[1,1,1],sparse:{count:1,"
+        "indices:{bufferView:0,byteOffset:0,componentType:5125},values:{bufferView:0,byteOffset:12}"
+        "}}],buffers:[{byteLength:36,uri:\"data:application/octet-stream;base64," TRIANGLE
+        "\"}],bufferViews:[{buffer:0,byteLength:36}]}");
 }
 
 TEST(refusals) {
@@ -53,8 +50,7 @@ TEST(refusals) {
          "huge.pfm: a picture of 16384x16384 with 3 channels: 3.11 GiB of memory are wanted, and "},
         {"1500000", "info @/huge-texture.gltf",
          "material 0 'wall': image 0: huge.tga: 2389.3 MiB of memory are wanted, and 2048.0 MiB "
-         "are "
-         "left of what the scene may take"},
+         "are left of what the scene may take"},
         {"2000000", "info @/huge-mesh.gltf",
          "60000000 vertices and 60000000 indices: 1.56 GiB of memory are wanted, and "},
         {"8000000", "reference scenes/cornell-box.glb --size 16384x16384 --spp 4 -o none.exr",

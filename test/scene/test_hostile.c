@@ -30,18 +30,20 @@ static const char *given(const char *part, const char *otherwise) {
 
 static char *scene_text(const struct parts *parts) {
     struct text text = {0};
-    text_print(
-        &text,
-        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"meshes\":[{\"primitives\":[%s]}],"
-        "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
-        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}%s],\"bufferViews\":[{\"buffer\":0,"
-        "\"byteLength\":36}%s],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
-        "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}%s],%s%s}",
-        given(parts->primitive, "{\"attributes\":{\"POSITION\":0}}"), given(parts->buffers, ""),
-        given(parts->views, ""), given(parts->accessors, ""),
-        given(parts->nodes, "\"nodes\":[{\"mesh\":0}],\"scenes\":[{\"nodes\":[0]}]"),
-        given(parts->more, ""));
-    return text.data;
+    text_print(&text,
+               "{asset:{version:'2.0'},scene:0,meshes:[{primitives:[%s]}],buffers:[{byteLength:36,"
+               "uri:'data:application/"
+               "octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA'}%s],"
+               "bufferViews:[{buffer:0,byteLength:36}%s],accessors:[{bufferView:0,componentType:"
+               "5126,count:3,type:VEC3,min:[0,0,0],max:[1,1,0]}%s],%s%s}",
+               given(parts->primitive, "{attributes:{POSITION:0}}"), given(parts->buffers, ""),
+               given(parts->views, ""), given(parts->accessors, ""),
+               given(parts->nodes, "nodes:[{mesh:0}],scenes:[{nodes:[0]}]"),
+               given(parts->more, ""));
+    char *json = mem_alloc(2 * text.length, 1);
+    quote_words(text.data, json, 2 * text.length);
+    free(text.data);
+    return json;
 }
 
 /* begin, then so many times what, in which %d is the number, with commas; then end. */
@@ -59,8 +61,8 @@ __attribute__((format(printf, 3, 0))) static char *list(const char *begin, int c
 
 /* A node with the mesh and so many others, side by side. */
 static char *nodes(int count, const char *node) {
-    char *all = list("\"nodes\":[{\"mesh\":0},", count, node, "],");
-    char *scene = list("\"scenes\":[{\"nodes\":[", count + 1, "%d", "]}]");
+    char *all = list("nodes:[{mesh:0},", count, node, "],");
+    char *scene = list("scenes:[{nodes:[", count + 1, "%d", "]}]");
     struct text text = {0};
     text_print(&text, "%s%s", all, scene);
     mem_free(all, scene);
@@ -68,33 +70,29 @@ static char *nodes(int count, const char *node) {
 }
 
 static char *many_targets(void) {
-    char *primitive =
-        list("{\"attributes\":{\"POSITION\":0},\"targets\":[", 100000, "{\"POSITION\":0}", "]}");
+    char *primitive = list("{attributes:{POSITION:0},targets:[", 100000, "{POSITION:0}", "]}");
     char *text = scene_text(&(struct parts){.primitive = primitive});
     free(primitive);
     return text;
 }
 
-#define VECTORS(count)                                                                             \
-    ",{\"componentType\":5126,\"count\":" #count                                                   \
-    ",\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[0,0,0]}"
+#define VECTORS(count) ",{componentType:5126,count:" #count ",type:VEC3,min:[0,0,0],max:[0,0,0]}"
 
 /* Of an accessor without bytes: 7 GB of zeros. */
 static char *targets_of_zeros(void) {
-    char *primitive =
-        list("{\"attributes\":{\"POSITION\":1},\"targets\":[", 20000, "{\"POSITION\":1}", "]}");
+    char *primitive = list("{attributes:{POSITION:1},targets:[", 20000, "{POSITION:1}", "]}");
     char *text = scene_text(&(struct parts){.primitive = primitive, .accessors = VECTORS(30000)});
     free(primitive);
     return text;
 }
 
 static char *many_elements(void) {
-    return scene_text(&(struct parts){.primitive = "{\"attributes\":{\"POSITION\":1}}",
+    return scene_text(&(struct parts){.primitive = "{attributes:{POSITION:1}}",
                                       .accessors = VECTORS(2000000000)});
 }
 
 static char *many_joints(void) {
-    char *tree = nodes(70000, "{}"), *skin = list(",\"skins\":[{\"joints\":[", 70000, "%d", "]}]");
+    char *tree = nodes(70000, "{}"), *skin = list(",skins:[{joints:[", 70000, "%d", "]}]");
     char *text = scene_text(&(struct parts){.nodes = tree, .more = skin});
     mem_free(tree, skin);
     return text;
@@ -102,41 +100,39 @@ static char *many_joints(void) {
 
 /* Node i is the child of node i + 1. */
 static char *long_chain(void) {
-    char *tree = list("\"nodes\":[{\"mesh\":0},", 70000, "{\"children\":[%d]}",
-                      "],\"scenes\":[{\"nodes\":[70000]}]");
+    char *tree = list("nodes:[{mesh:0},", 70000, "{children:[%d]}", "],scenes:[{nodes:[70000]}]");
     char *text = scene_text(&(struct parts){.nodes = tree});
     free(tree);
     return text;
 }
 
 static char *many_instances(void) {
-    char *tree = nodes(300000, "{\"mesh\":0}"), *text = scene_text(&(struct parts){.nodes = tree});
+    char *tree = nodes(300000, "{mesh:0}"), *text = scene_text(&(struct parts){.nodes = tree});
     free(tree);
     return text;
 }
 
 static char *many_lights(void) {
-    char *tree = nodes(100000, "{\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}");
-    char *text = scene_text(
-        &(struct parts){.nodes = tree,
-                        .more = ",\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{"
-                                "\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\"}]}}"});
+    char *tree = nodes(100000, "{extensions:{KHR_lights_punctual:{light:0}}}");
+    char *text =
+        scene_text(&(struct parts){.nodes = tree,
+                                   .more = ",extensionsUsed:[KHR_lights_punctual],extensions:{KHR_"
+                                           "lights_punctual:{lights:[{type:point}]}}"});
     free(tree);
     return text;
 }
 
 static char *many_cameras(void) {
-    char *tree = nodes(100000, "{\"camera\":0}");
-    char *text = scene_text(&FILLED(
-        parts, .nodes = tree,
-        .more =
-            ",\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}]"));
+    char *tree = nodes(100000, "{camera:0}");
+    char *text =
+        scene_text(&FILLED(parts, .nodes = tree,
+                           .more = ",cameras:[{type:perspective,perspective:{yfov:1,znear:1}}]"));
     free(tree);
     return text;
 }
 
 static char *many_extras(void) {
-    char *extras = list(",\"extras\":[", 250000, "{\"b\":%d}", "]");
+    char *extras = list(",extras:[", 250000, "{b:%d}", "]");
     char *text = scene_text(&(struct parts){.more = extras});
     free(extras);
     return text;
@@ -145,16 +141,14 @@ static char *many_extras(void) {
 /* Vertices 0 1 2, and again. */
 static char *same_triangle(void) {
     struct text indices = {0};
-    text_print(&indices,
-               ",{\"byteLength\":1800000,\"uri\":\"data:application/octet-stream;base64,");
+    text_print(&indices, ",{byteLength:1800000,uri:\"data:application/octet-stream;base64,");
     for (int i = 0; i < 300000; i++)
         text_print(&indices, "AAABAAIA");
     text_print(&indices, "\"}");
-    char *text = scene_text(&FILLED(
-        parts, .primitive = "{\"attributes\":{\"POSITION\":0},\"indices\":1}",
-        .buffers = indices.data, .views = ",{\"buffer\":1,\"byteLength\":1800000}",
-        .accessors =
-            ",{\"bufferView\":1,\"componentType\":5123,\"count\":900000,\"type\":\"SCALAR\"}"));
+    char *text = scene_text(
+        &FILLED(parts, .primitive = "{attributes:{POSITION:0},indices:1}", .buffers = indices.data,
+                .views = ",{buffer:1,byteLength:1800000}",
+                .accessors = ",{bufferView:1,componentType:5123,count:900000,type:SCALAR}"));
     free(indices.data);
     return text;
 }
@@ -166,9 +160,9 @@ static char *many_pictures(void) {
     free(black.rgba);
     struct text all = {0};
     const char *const lists[][2] = {
-        {",\"images\":[", "{\"uri\":\"black.png\"}"},
-        {",\"textures\":[", "{\"source\":%d}"},
-        {",\"materials\":[", "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d}}}"},
+        {",images:[", "{uri:'black.png'}"},
+        {",textures:[", "{source:%d}"},
+        {",materials:[", "{pbrMetallicRoughness:{baseColorTexture:{index:%d}}}"},
     };
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
         char *one = list(lists[i][0], 40, lists[i][1], "]");

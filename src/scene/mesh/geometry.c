@@ -6,7 +6,6 @@
 #include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/material.h"
-#include "scene/mesh/primitive.h"
 #include "scene/shapes/marching_cubes.h"
 #include "scene/shapes/metaballs.h"
 
