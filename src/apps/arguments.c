@@ -8,7 +8,6 @@
 #include "scene/read_rules.h"
 
 #include <signal.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -10,7 +10,6 @@
 #include "base/file/piped_file.h"
 #include "base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 struct values {

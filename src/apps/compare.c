@@ -15,7 +15,6 @@
 #include "metrics/metric.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct values {

@@ -9,7 +9,6 @@
 #include "shared/composite.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Frames that the first one may take. */
 enum { TRIES = 16 };

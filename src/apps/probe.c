@@ -17,7 +17,6 @@
 #include "techniques/many_lights.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum unit { UNIT_WATTS, UNIT_LUX };
 enum way { BY_REFERENCE, BY_FRAME };

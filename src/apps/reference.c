@@ -23,7 +23,6 @@
 #include "scene/medium.h"
 #include "shared/composite.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum reference_technique { TECHNIQUE_PATH, TECHNIQUE_VPL_RAYTRACED };

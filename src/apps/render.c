@@ -25,7 +25,6 @@
 #include "scene/caustics.h"
 #include "shared/composite.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Each frame of several needs files of its own. */

@@ -7,7 +7,6 @@
 #include "scene/placing.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static bool add_line(struct view_list *views, char *line, int number) {

@@ -3,7 +3,6 @@
 #include "base/memory.h"
 
 #include <stdbool.h>
-#include <stdlib.h>
 
 /* Takers in a heap: each comes before those below it. */
 struct queue {

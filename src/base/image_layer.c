@@ -9,7 +9,6 @@
 #include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h> /* free */
 
 /* True if `ulimit -d` limits the memory of this process. */
 bool mem_is_limited(void);

@@ -4,8 +4,6 @@
 #include "passes/frame.h"
 #include "passes/visibility/environment_lighting.h"
 
-#include <stdlib.h>
-
 #define ROW(name) offsetof(struct environment_settings, name)
 
 static const char *const fit_names[] = {"rectangles", "even", NULL};

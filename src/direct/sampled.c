@@ -6,8 +6,6 @@
 #include "passes/gather/blur.h"
 #include "passes/visibility/sampled_direct.h"
 
-#include <stdlib.h>
-
 /* Neighbours of a pixel, as the blurs of indirect light have them (techniques/many_lights.h). */
 static const float distance = .1F, cosine = .995F, specular_cosine = .966F, narrow_cosine = .996F;
 

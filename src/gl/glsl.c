@@ -7,7 +7,6 @@
 #include "gl/glsl_embedded.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A setting of the process, as the log level is: which text the names below stand for. */

@@ -12,7 +12,6 @@
 #include <assert.h>
 #include <pthread.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { STAGES = 4, KEPT_MAX = 64, STORED_MAX = 256 };

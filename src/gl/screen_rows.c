@@ -5,7 +5,6 @@
 #include "shared/light.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { ROWS_MAX = 256, LOCATIONS = LOCATION_SLOT_LIGHTS + LIGHTS_MAX };

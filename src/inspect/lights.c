@@ -5,8 +5,6 @@
 #include "passes/vpls.h"
 #include "shared/vpl.h"
 
-#include <stdlib.h>
-
 static void count(struct lights *lights) {
     bool *seen = mem_alloc((size_t)lights->val_count + 1, sizeof *seen);
     for (int i = 0; i < lights->vpl_count; i++) {

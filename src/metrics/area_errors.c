@@ -4,8 +4,6 @@
 #include "metrics/errors.h"
 #include "metrics/quantile.h"
 
-#include <stdlib.h>
-
 /* --- boxes ------------------------------------------------------------------------------------ */
 
 struct box {

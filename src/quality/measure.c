@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 struct measure_desc measure_default(const struct stage *stage, int width, int height) {

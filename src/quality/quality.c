@@ -7,7 +7,6 @@
 #include "quality/traced.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};

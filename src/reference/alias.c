@@ -3,7 +3,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Fills the slots of those that weigh less than the mean with what others have above it. */
 static void fill(struct alias *alias, double *parts, int *small, int *large) {

@@ -4,7 +4,6 @@
 #include "base/parallel.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Standard deviations of two pixels' difference at which its weight is 1/e. */

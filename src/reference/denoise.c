@@ -7,7 +7,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Below, the noise of a pixel is too far from Gaussian to compare by its variance. */
 enum { FEW_PATHS = 16 };

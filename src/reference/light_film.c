@@ -6,7 +6,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Of one channel: the present batch, and sums over batches. */
 struct light_sum {

@@ -6,7 +6,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Points of a segment: one for so many pixels of its length in the picture. */
 enum { PIXELS_PER_POINT = 6, POINTS_MOST = 24 };

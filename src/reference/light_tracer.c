@@ -8,7 +8,6 @@
 #include "base/parallel.h"
 
 #include <assert.h>
-#include <stdlib.h>
 
 /* Batches tell the noise. Chunks of rays are traced at once, a wave of them, and what they leave is
  * added in their order: sums do not depend on threads. */

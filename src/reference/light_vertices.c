@@ -3,8 +3,6 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
-#include <stdlib.h>
-
 struct work {
     const struct emission *emission;
     const struct ray_scene *rays;

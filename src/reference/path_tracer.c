@@ -20,7 +20,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */

@@ -6,8 +6,6 @@
 #include "renderer/caustics.h"
 #include "techniques/volume.h"
 
-#include <stdlib.h>
-
 static struct ambient_occlusion_desc desc_of(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return (struct ambient_occlusion_desc){.settings = &desc->settings,

@@ -7,8 +7,6 @@
 #include "passes/frame.h"
 #include "shared/composite.h"
 
-#include <stdlib.h>
-
 struct caustics_passes {
     struct caustics_pass caustics;
     struct glass_pass glass;

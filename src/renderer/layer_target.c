@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 bool layer_target_init(struct layer_target *target, int width, int height) {

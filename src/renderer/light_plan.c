@@ -7,7 +7,6 @@
 #include "renderer/views.h"
 #include "techniques/many_lights.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Most lights that all have maps. Of more, lights with maps are directional ones and each that has

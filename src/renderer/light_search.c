@@ -6,7 +6,6 @@
 #include "scene/light_seen.h"
 #include "techniques/many_lights.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* By importance a quarter of the VPLs still follow flux alone: little is gained where that many

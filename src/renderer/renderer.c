@@ -15,7 +15,6 @@
 
 #include "parts.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* What is made together, and anew when what it depends on changes. */

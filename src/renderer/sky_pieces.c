@@ -6,7 +6,6 @@
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-#include <stdlib.h>
 
 /* Of a door's sides, over the domain's: a cell of the importance map. */
 static const float least_door = 1.F / VPL_DENSITY_SIDE;

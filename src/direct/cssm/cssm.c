@@ -5,8 +5,6 @@
 #include "passes/visibility/sums.h"
 #include "shared/maps.h"
 
-#include <stdlib.h>
-
 enum { PREFILTER_MIP, PREFILTER_SAT };
 
 struct cssm_settings {

@@ -3,8 +3,6 @@
 #include "direct/shadow.h"
 #include "shared/bindings.h"
 
-#include <stdlib.h>
-
 struct pcss_settings {
     int light_taps, shadow_rays;
 };

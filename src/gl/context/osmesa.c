@@ -9,7 +9,6 @@
 #include <GL/glcorearb.h>
 
 #include <dlfcn.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {

@@ -9,7 +9,6 @@
 #include "lab/measure/timing.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -6,7 +6,6 @@
 #include "base/memory.h"
 
 #include <cglm/vec3.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char *const scenes[] = {"scenes/ring.glb", "scenes/pawns.glb", "scenes/gem.glb", NULL};

@@ -10,7 +10,6 @@
 #include "lab/export/meshes.h"
 #include "scene/texture.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum export_format { FORMAT_PACK, FORMAT_MITSUBA };

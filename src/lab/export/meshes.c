@@ -6,7 +6,6 @@
 #include "scene/lights/emissive.h"
 #include "scene/mesh/corners.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Where a textured triangle is looked at for its mean. */

@@ -11,7 +11,6 @@
 
 #include <cglm/cglm.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- values ----------------------------------------------------------------------------------- */

@@ -4,7 +4,6 @@
 #include "base/file/image_file.h"
 #include "base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static bool write_image(const struct export_target *target, struct image *image, const char *name) {

@@ -10,7 +10,6 @@
 #include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* What is told of each frame. */
 enum { FLICKER, VALS, VAL_TRAVEL, VPL_TRAVEL, FIGURES };

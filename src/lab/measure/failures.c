@@ -11,7 +11,6 @@
 #include "quality/picture.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- bounds ----------------------------------------------------------------------------------- */

@@ -6,7 +6,6 @@
 #include "metrics/heat_map.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Of the reference's mean: it is shown as a middle grey. */

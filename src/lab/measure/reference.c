@@ -17,7 +17,6 @@
 #include "sources.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 const char *const reference_names[] = {"none", "path", "centers", "vpls", "seen", "ao", NULL};

@@ -8,7 +8,6 @@
 #include "version.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define MACHINE_HEADING "gl_vendor,gl_renderer,gl_version,software,cpu,cores,commit,date"

@@ -11,7 +11,6 @@
 #include "base/error.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* The layers' first channels; noise: of what holds the share, the standard error. */
 struct layers {

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* The assignments that a name stands for; the caller frees them. NULL: there is no such name. */

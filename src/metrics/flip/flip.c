@@ -6,7 +6,6 @@
 #include "metrics/flip/flip_filter.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* The picture is cut in strips of so many rows; neighbours filter the rows between them twice. */
 enum { STRIP_ROWS = 32 };

@@ -7,7 +7,6 @@
 #include "metrics/quantile.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Narkowicz's fit of the ACES curve, (k0 x^2 + k1 x) / (k3 x^2 + k4 x + k5), with its exposure of
  * 0.6 multiplied in. */

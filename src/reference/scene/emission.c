@@ -9,7 +9,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 static float cross_section(const struct emission *emission) {
     return GLM_PIf * emission->radius * emission->radius;

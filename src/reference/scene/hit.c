@@ -6,7 +6,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static struct corners find_corners(const struct hit_table *table,
                                    const struct triangle_point *point) {

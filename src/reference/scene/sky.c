@@ -4,7 +4,6 @@
 
 #include <cglm/cglm.h>
 #include <math.h>
-#include <stdlib.h>
 
 static const float *texel_at(const struct environment *environment, int x, int y) {
     return environment->texels[(size_t)y * (size_t)environment->width + (size_t)x];

@@ -9,7 +9,6 @@
 #include "shared/light_tree.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Where a textured triangle is looked at to say how bright it is; and at least so much of what it
  * could be is taken, for there may be light between. */

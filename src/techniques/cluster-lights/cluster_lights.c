@@ -8,8 +8,6 @@
 #include "shared/gather.h"
 #include "techniques/vals.h"
 
-#include <stdlib.h>
-
 enum light_seeds { LIGHT_SEEDS_EVEN, LIGHT_SEEDS_IMPORTANCE };
 
 enum light_visibility { LIGHT_VISIBILITY_VALS, LIGHT_VISIBILITY_NONE };

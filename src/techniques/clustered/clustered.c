@@ -4,8 +4,6 @@
 #include "base/memory.h"
 #include "techniques/vals.h"
 
-#include <stdlib.h>
-
 struct clustered {
     struct many_lights lights;
     bool by_rays; /* else: */

@@ -4,7 +4,6 @@
 #include "shared/splat.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static int count_all(const struct caster_points *points) {

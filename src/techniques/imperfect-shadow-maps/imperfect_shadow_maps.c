@@ -8,8 +8,6 @@
 #include "techniques/imperfect-shadow-maps/splat.h"
 #include "techniques/vpl_maps.h"
 
-#include <stdlib.h>
-
 struct imperfect_settings {
     int size, points, shape;
 };

@@ -7,8 +7,6 @@
 #include "passes/frame.h"
 #include "shared/splat.h"
 
-#include <stdlib.h>
-
 static bool init_program(struct splat_pass *pass) {
     char *defines = mem_printf("SPLAT %d", pass->desc.shape);
     bool ok = program_init(

@@ -7,8 +7,6 @@
 #include "techniques/many_lights.h"
 #include "techniques/volume.h"
 
-#include <stdlib.h>
-
 /* Texels a side of a light's shadow map: finer than voxels. */
 enum { SHADOW_SIZE = 512 };
 

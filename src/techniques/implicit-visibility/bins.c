@@ -3,7 +3,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static int major_axis(const float d[3]) {
     float x = fabsf(d[0]), y = fabsf(d[1]), z = fabsf(d[2]);

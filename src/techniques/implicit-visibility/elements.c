@@ -4,7 +4,6 @@
 #include "scene/mesh/corners.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Side of a cell over the longest edge: cut triangles keep their vertices apart. */

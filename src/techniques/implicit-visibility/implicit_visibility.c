@@ -11,8 +11,6 @@
 #include "techniques/implicit-visibility/specular.h"
 #include "techniques/many_lights.h"
 
-#include <stdlib.h>
-
 struct radiosity_settings {
     int elements, bins;
     int cover, weight; /* enum links_cover, links_weight */

@@ -5,7 +5,6 @@
 #include "passes/frame.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* How far an element reaches, over the longest edge of a cut triangle: all of a surface has some */

@@ -3,8 +3,6 @@
 #include "base/memory.h"
 #include "scene/lights/emissive.h"
 
-#include <stdlib.h>
-
 static void find_elements(struct lamps *lamps, const struct scene *scene,
                           const struct geometry *geometry, const struct elements *elements) {
     int *of_vertices = mem_alloc(geometry->vertex_count, sizeof *of_vertices);

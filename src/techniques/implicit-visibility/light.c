@@ -7,7 +7,6 @@
 #include "scene/mesh/pane_triangles.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LEAVES_TOGETHER = 64 };

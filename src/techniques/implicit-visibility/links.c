@@ -9,7 +9,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Disks around the elements leave gaps: area of a disk that has none, over its element's. */

@@ -3,8 +3,6 @@
 #include "base/memory.h"
 #include "techniques/vpl_maps.h"
 
-#include <stdlib.h>
-
 struct instant_radiosity_settings {
     bool traced; /* rays in place of maps */
 };

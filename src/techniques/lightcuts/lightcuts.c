@@ -7,8 +7,6 @@
 #include "shared/gather.h"
 #include "techniques/vals.h"
 
-#include <stdlib.h>
-
 struct lightcuts_settings {
     int nodes;
     float tolerance;

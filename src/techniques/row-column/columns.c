@@ -3,7 +3,6 @@
 #include "base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 void columns_init(struct columns *columns, const struct columns_desc *desc) {

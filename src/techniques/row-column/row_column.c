@@ -11,8 +11,6 @@
 #include "techniques/row-column/rows.h"
 #include "techniques/vpl_maps.h"
 
-#include <stdlib.h>
-
 /* As wide as textures are everywhere. */
 enum { LIGHTS_OF_MATRIX = 16384 };
 

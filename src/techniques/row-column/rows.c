@@ -9,7 +9,6 @@
 #include "shared/maps.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static bool init_program(GLuint *program, const struct rows_desc *desc, int clamp) {
     char *lookup = visibility_defines(&desc->visibility);

@@ -3,8 +3,6 @@
 #include "base/memory.h"
 #include "techniques/many_lights.h"
 
-#include <stdlib.h>
-
 static void free_state(void *state) {
     if (state)
         many_lights_free(state);

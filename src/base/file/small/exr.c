@@ -8,7 +8,6 @@
 #include <openexr.h>
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

@@ -8,7 +8,6 @@
 #include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct cursor {

@@ -5,7 +5,6 @@
 #include "base/memory.h"
 
 #include <png.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

@@ -3,8 +3,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 
-#include <stdlib.h>
-
 bool check_picture_size(int64_t width, int64_t height) {
     const int64_t max_pixels = (int64_t)1 << 28;
     if (width < 1 || height < 1)
