@@ -16,7 +16,7 @@ enum { TIMES, VALUES = 8, EXTRA_FLOATS = 64 };
 /* The node's quad, moved by one sampler of values of that type and count. */
 #define CLIP_ACCESSORS(values)                                                                     \
     "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, componentType: 5126, count: 3, type: "       \
-                   "SCALAR}, {bufferView: 0, byteOffset: 96, componentType: 5126, " values "}]"
+    "SCALAR}, {bufferView: 0, byteOffset: 96, componentType: 5126, " values "}]"
 #define CLIP(path, interpolation)                                                                  \
     "{name: '" path "', channels: [{sampler: 0, target: {node: 0, path: '" path                    \
     "'}}], samplers: [{input: 2, output: 3, interpolation: '" interpolation "'}]}"
@@ -390,7 +390,7 @@ TEST(weights_of_places) {
         "places",
         load_parts(&scene, "places.glb",
                    &PARTS(.accessors = "[" PARTS_QUAD ", {bufferView: 0, byteOffset: 64, "
-                                                      "componentType: 5126, count: 2, type: VEC3}]",
+                                       "componentType: 5126, count: 2, type: VEC3}]",
                           .meshes = "[{weights: [0.5], primitives: [{attributes: {POSITION: 0}, "
                                     "indices: 1, targets: [{POSITION: 0}]}]}]",
                           .nodes = "[{mesh: 0, weights: [0.25], extensions: "

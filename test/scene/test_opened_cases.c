@@ -80,7 +80,7 @@ TEST(pictures) {
 #define NODE(mesh) "{rotation: [0.18, 0.24, 0, 0.9539392], mesh: " mesh "}"
 #define COLOUR(rgb)                                                                                \
     "{doubleSided: true, pbrMetallicRoughness: {metallicFactor: 0, baseColorFactor: [" rgb ", "    \
-                                                                                           "1]}}"
+    "1]}}"
 
 /* Of two surfaces at one depth the later material shows, in frames and references. */
 TEST(coplanar) {
