@@ -19,7 +19,7 @@ enum {
 };
 
 struct timer_result {
-    char path[TIMER_PATH_SIZE]; /* "frame/clustered/basis" */
+    char path[TIMER_PATH_SIZE]; /* "frame/maps/basis" */
     int depth;                  /* 0: the frame */
     double ms;                  /* time in the last frame that was read */
 };

@@ -1,4 +1,4 @@
-/* Layout of all layers of a buffer: cells of one shape in rows, the first at the top left. */
+/* Lays out all layers of a buffer in rows of equal cells, the first at the top left. */
 #ifndef INSPECT_SHEET_H
 #define INSPECT_SHEET_H
 

@@ -39,11 +39,11 @@ struct frame;
 struct gbuffer;
 struct renderer;
 
-/* A picture of the last frame that no frame draws: it is drawn when somebody looks at it. */
+/* A picture of the last frame that is drawn only when it is shown or written. */
 struct drawn_output {
-    /* Before anything is drawn; NULL: nothing is refused. Error: memory. */
+    /* Checks before anything is drawn; NULL: accepts all. Error: memory. */
     bool (*check)(const struct renderer *renderer);
-    /* The picture, until the next change; NULL: an error, out of GPU memory or a shader. */
+    /* Returns the picture, valid until the next change. Error, NULL: GPU memory, shader. */
     const struct irradiance *(*draw)(void *state, struct renderer *renderer,
                                      const struct frame *frame, const struct gbuffer *gbuffer);
     void *state;

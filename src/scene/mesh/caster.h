@@ -36,7 +36,7 @@ struct caster {
     int batch_count;
 };
 
-/* Default error, and number of long triangles, of maps. Direct and indirect light share one
+/* Default error and number of long triangles of maps. Direct and indirect light share one
  * caster. */
 #define CASTER_ERROR .00055
 enum { CASTER_LONG_COUNT = 500 };
@@ -49,8 +49,8 @@ struct caster_desc {
     int long_count;
     /* A point in the open of a static scene. NULL: only metaballs that may stray count as solid. */
     const float *eye;
-    const struct scene *scene;   /* whose instances share their triangles; NULL: none do */
-    const struct levels *levels; /* of the scene, to begin with; NULL: none */
+    const struct scene *scene;   /* scene whose instances share triangles; NULL: none share */
+    const struct levels *levels; /* levels of detail to start from; NULL: none */
 };
 
 /* Simplifies the geometry in its current pose, then separates long triangles. */

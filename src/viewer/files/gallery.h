@@ -12,7 +12,7 @@ enum { GALLERY_MAX = 40, GALLERY_WIDTH = 192, GALLERY_HEIGHT = 144 };
 
 struct gallery_item {
     char *path, *picture; /* files of the scene and of its picture, which may not exist yet */
-    atomic_int ready;     /* set by the thread. 1: the picture exists; -1: none, or of one colour */
+    atomic_int ready;     /* 1: the picture exists; -1: there is none, or it has one colour */
     struct texture texture;
     bool has_texture;
 };
