@@ -51,8 +51,7 @@ $(FAULTS): test/faults/faults.cpp
 	$(say) CXX $@
 	$(Q)$(CXX) -std=c++17 -O1 $(WARNINGS) -fPIC -shared -o $@ $<
 
-# The program with a technique and a direct method more, which only tests have: what a newcomer to the
-# house adds is a folder and a line of a registry, here told by a macro.
+# The program with one more technique and direct method, for tests. Each is a folder of test/guests, entered by a macro.
 GUEST_SOURCES := $(sort $(shell find test/guests -name '*.c'))
 GUEST_SHADERS := $(sort $(shell find test/guests -name '*.frag' -o -name '*.comp'))
 GUEST_OBJECTS := $(GUEST_SOURCES:%.c=$(BUILD)/%.o) $(GUESTS)/techniques.o $(GUESTS)/direct.o \

@@ -1,4 +1,4 @@
-/* One frame after another, and the mean of passes. */
+/* Draws frames, and the mean of passes. */
 #include "passes/frame.h"
 #include "renderer/renderer.h"
 
@@ -19,8 +19,8 @@ const char *shown_layer_prefix(int layer) {
     return layer == LAYER_BEAUTY ? "" : shown_layer_names[layer];
 }
 
-/* Near the irradiance that the light could make across the scene. A narrow cone lights little, and
- * less than its intensity says. */
+/* Estimates the irradiance of a light across the scene. A narrow cone lights less than its
+ * intensity suggests. */
 static float typical_irradiance(const struct emitter *light, float radius) {
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     float share = light->type == EMITTER_SPOT
@@ -43,13 +43,13 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
-/* NULL where all is diffuse. */
+/* Returns specular direct light; NULL if all materials are diffuse. */
 static const struct texture *direct_specular(const struct renderer *renderer) {
     const struct direct_method *direct = renderer->direct;
     return renderer->gbuffer.specular.id ? direct->specular(renderer->direct_state) : NULL;
 }
 
-/* Passes have samples of their own in each. */
+/* Passes after the first have one sample a pixel, at another place in each. */
 static const struct antialias_pass *antialias_of(const struct renderer *renderer) {
     return renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
 }
@@ -79,7 +79,7 @@ struct frame renderer_frame(struct renderer *renderer) {
     };
 }
 
-/* The same frame for direct light. */
+/* Returns the frame with the lights of direct light. */
 static struct frame frame_of_direct(const struct renderer *renderer, const struct frame *frame) {
     struct frame direct = *frame;
     direct.lights = &renderer->light_buffer;
@@ -90,12 +90,12 @@ static struct frame frame_of_direct(const struct renderer *renderer, const struc
     return direct;
 }
 
-/* Whether the last frame was the refiner's. */
+/* True if the technique of the refinement draws this frame. */
 static bool is_refined(const struct renderer *renderer) {
     return renderer->pass > 0 && renderer->refining.technique;
 }
 
-/* What the last frame's indirect light is, and the medium before it, without panes. */
+/* Returns the indirect light of the frame, and its medium without panes. */
 static struct contribution contribution_behind(const struct renderer *renderer) {
     const struct refining *refining = &renderer->refining;
     struct contribution contribution = is_refined(renderer)
@@ -138,7 +138,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
     };
 }
 
-/* The technique that draws this frame, and its state. */
+/* Returns the technique that draws this frame, and its state. */
 static const struct technique *current_technique(const struct renderer *renderer, void **state) {
     const struct refining *refining = &renderer->refining;
     bool refined = is_refined(renderer);
@@ -150,7 +150,8 @@ static bool follows_camera(const struct technique *technique, const void *state)
     return technique->follows_camera && technique->follows_camera(state);
 }
 
-/* Direct light and the first pass's are kept; all other passes have lights of their own. */
+/* Draws the parts that depend on no camera. Direct light and the first pass keep theirs; later
+ * passes have other lights. */
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
     bool keeps = renderer->lights_drawn && renderer->desc.keep_lights;
     void *state;
@@ -170,7 +171,7 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
 }
 
-/* Lights that follow the camera are drawn for its G-buffer. */
+/* Draws the lights of a technique that follows the camera, after the G-buffer. */
 static void render_lights_seen(struct renderer *renderer, const struct frame *frame) {
     void *state;
     const struct technique *technique = current_technique(renderer, &state);
@@ -180,7 +181,7 @@ static void render_lights_seen(struct renderer *renderer, const struct frame *fr
         technique->render_lights(state, &seen);
 }
 
-/* Direct and indirect light of a G-buffer. */
+/* Draws direct and indirect light of a G-buffer. */
 static void render_light(struct renderer *renderer, const struct frame *frame,
                          const struct gbuffer *gbuffer) {
     void *state;
@@ -190,7 +191,7 @@ static void render_light(struct renderer *renderer, const struct frame *frame,
     technique->render_view(state, frame, gbuffer);
 }
 
-/* Before all other surfaces, whose light then stays. */
+/* Draws panes before the light of all other surfaces, which then stays in its textures. */
 static void render_panes(struct renderer *renderer, const struct frame *frame) {
     const struct show_panes_pass *panes = &renderer->airlight.panes;
     struct timers untimed = {0};
@@ -209,7 +210,7 @@ static void render_panes(struct renderer *renderer, const struct frame *frame) {
                            renderer->desc.emitters.sky);
 }
 
-/* All but what makes a picture of it. */
+/* Renders every buffer of a frame except the composite. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
     renderer->frame_count++;
     render_lights(renderer, frame);
@@ -252,7 +253,7 @@ static void show_mean(struct renderer *renderer, const struct frame *frame, int 
                              &renderer->desc.background, renderer->composite.framebuffer);
 }
 
-/* Of a pass in the mean. */
+/* Returns the weight of a pass in the mean. */
 static float pass_weight(const struct renderer *renderer) {
     const struct refinement *refinement = renderer->technique->refinement;
     return renderer->pass == 0 && refinement ? refinement->first_weight : 1;

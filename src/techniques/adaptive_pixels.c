@@ -9,7 +9,7 @@ static const float sharp_cosine = .99F;
 /* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
 static const float adaptive_share = 1;
 
-/* The side of a picture over 400 pixels, at least 1. */
+/* Returns the side of a square of the picture's area, over 400 pixels; at least 1. */
 static float growth_of(int width, int height) {
     static const float side = 400;
     return fmaxf(sqrtf((float)width * (float)height) / side, 1);
@@ -38,8 +38,7 @@ int vpls_together(const struct gather_desc *desc) {
     return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
 }
 
-/* The side of the one block that has a pixel's visibility; 0: there is none, or four share it, as
- * of rectangles. */
+/* Returns the side of the block that holds a pixel's visibility; 0: no block, or four blocks. */
 static int block_of_pixel(const struct gather_desc *gather, int block) {
     return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
 }

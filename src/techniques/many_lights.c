@@ -1,4 +1,4 @@
-/* A frame of the passes that the techniques share. */
+/* Draws a frame by the passes that the techniques share. */
 #include "techniques/many_lights.h"
 
 #include "passes/frame.h"
@@ -59,7 +59,7 @@ static void gather_adaptive(struct many_lights *lights, const struct step_inputs
     gather_pass_render(&lights->adaptive_gather, inputs->frame, inputs->gbuffer, inputs->gather);
 }
 
-/* Rays have later bounces in what they meet. */
+/* Specular rays include later bounces at the surfaces that they meet. */
 static void gather_specular(struct many_lights *lights, const struct step_inputs *inputs) {
     if (!inputs->gather->later || !lights->specular_rays.program)
         gather_pass_render(&lights->specular_gather, inputs->frame, inputs->gbuffer,
@@ -224,7 +224,7 @@ struct contribution many_lights_contribution(const void *state) {
     return contribution;
 }
 
-/* Those of faces have names of their own where there are both kinds. */
+/* Adds the RSM of one kind. Maps of faces have other names if there are both kinds. */
 static void add_rsm(const struct many_lights *lights, int kind, struct output_list *outputs) {
     const struct gbuffer *rsm = &lights->rsm[kind];
     bool faces = kind == LIGHT_MAP_FACE && lights->rsm[LIGHT_MAP_SINGLE].layers > 0;

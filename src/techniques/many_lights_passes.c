@@ -1,5 +1,4 @@
-/* Which passes the techniques share, as the settings have them: made, made anew for another size,
- * and freed. */
+/* Makes, resizes and frees the passes that the techniques share, by the settings. */
 #include "techniques/adaptive_pixels.h"
 #include "techniques/many_lights.h"
 
@@ -65,12 +64,12 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     return desc;
 }
 
-/* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within
- * fewer degrees it finds no neighbours on small round things. */
+/* 15 degrees. Smaller angles find no neighbours on small round objects; with one pixel to each side
+ * the blur is as sharp as the lobe. */
 static const float specular_cosine = .966F;
 
-/* 5 degrees, of narrow lobes that only rays' blur takes: a mirrored direction turns twice as far as
- * the normal. */
+/* 5 degrees, for narrow lobes, which only the blur of rays takes: a mirrored direction turns twice
+ * as far as the normal. */
 static const float narrow_cosine = .996F;
 
 int many_lights_blur_radius(const struct settings *settings) {
@@ -108,7 +107,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     return gather_pass_init(&lights->gather, &gather_desc);
 }
 
-/* VPLs, with rays for visibility; rays of their own find what narrow lobes reflect. */
+/* Tests visibility of VPLs by rays. Specular rays find the light of narrow lobes. */
 static void take_rays(struct gather_desc *gather) {
     gather->later = gather->share = gather->map_per_vpl = false;
     if (gather->visibility.lookup == VISIBILITY_LOOKUP_NONE)
@@ -117,8 +116,8 @@ static void take_rays(struct gather_desc *gather) {
     gather->together = SPECULAR_TOGETHER;
 }
 
-/* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It
- * is no share of light that the near field could take: near VPLs are bounded as disks. */
+/* Specular reflection is sharper than diffuse, so each pixel takes more VPLs and a smaller blur. It
+ * has no near field: near VPLs are bounded as disks. */
 static bool init_specular(struct many_lights *lights, const struct technique_desc *desc) {
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
@@ -167,8 +166,8 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
                                    });
 }
 
-/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the
- * picture, and 64 points no more than 21. */
+/* Returns the texels along a side of a view. Many views share the texels of a few, so that a dozen
+ * directions of a sky do not cost as much as the picture. */
 static int rsm_size(const struct technique_desc *desc) {
     static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
     const struct lights_settings *own =
@@ -181,26 +180,26 @@ static int rsm_size(const struct technique_desc *desc) {
     return size > RSM_SIZE_MIN ? size : RSM_SIZE_MIN;
 }
 
-/* Specular rays need the smooth normals of what they meet. */
+/* False with specular rays, which need the smooth normals of the surfaces that they meet. */
 static bool sends_as_facets(const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     return own->facets && !desc->specular;
 }
 
-/* Some of the lights are light samples of one: of a sky, or of a wide lamp. */
+/* True if a sky or a wide lamp has several light samples. */
 static bool has_light_samples(const struct light_layout *layout) {
     return layout->lights > layout->groups;
 }
 
-/* VPLs by importance are far apart where the camera sees little of their light, which would shine
- * through walls from there: their BVH tells what is between. */
+/* VPLs placed by importance are far apart where the camera sees little of their light. Without rays
+ * their near light would shine through walls. */
 static bool asks_by_rays(const struct many_lights *lights) {
     return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
            many_lights_follow_camera(lights);
 }
 
-/* As VPLs are. */
+/* Tests near light as VPLs are tested. */
 static int near_occlusion(const struct many_lights *lights) {
     return asks_by_rays(lights)                                  ? NEAR_BY_RAYS
            : lights->visibility.lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
@@ -252,7 +251,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
     return (n == 1 && radius == 0 && !blur.adaptive) || blur_pass_init(&lights->blur, &blur);
 }
 
-/* What is as large as the picture. */
+/* Makes the passes of the picture's size. */
 static bool init_sized(struct many_lights *lights, const struct technique_desc *desc) {
     return init_gathers(lights, desc) && init_blur(lights, desc) && init_specular(lights, desc);
 }
@@ -288,7 +287,7 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
-/* Without a BVH for rays VPLs are balls. */
+/* Without a BVH for rays, VPLs are balls. */
 static int specular_of(const struct technique_desc *desc) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
@@ -325,8 +324,8 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     return ok;
 }
 
-/* Light may start from many light samples, or the camera may see little that it falls on. Most VPLs
- * by flux alone then lie where the camera sees nothing of their light. */
+/* True if VPLs are placed by importance. With many light samples, or where the camera sees little
+ * of the lit surfaces, most VPLs by flux lie where the camera sees nothing of their light. */
 static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
@@ -338,19 +337,18 @@ static bool wants_importance(const struct many_lights *lights, const struct tech
                                    many_lights_may_trace(desc->scene, desc->geometry)));
 }
 
-/* Light of a sky has no light samples alone, but directions of its own for each VPL. */
+/* True if each VPL of a sky has its own direction, not that of a light sample. */
 static bool has_sky_rays(const struct many_lights *lights, const struct technique_desc *desc) {
     return desc->lights->sky && many_lights_follow_camera(lights);
 }
 
-/* Several for each path, as long as there are no more than VPLs may be. */
+/* Returns the number of starts: several for each path, at most VPLS_MAX in all. */
 static int starts_of(int vpls) {
     int paths = vpls * BOUNCE_ROWS, tries = VPLS_MAX / paths;
     return paths * (tries < BOUNCE_TRIES ? tries : BOUNCE_TRIES);
 }
 
-/* Where the first bounce's light matters says little of later bounces: they have a map of their
- * own. */
+/* Later bounces have an importance map of their own: that of the first says little of them. */
 static bool init_path_starts(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);

@@ -9,7 +9,7 @@ enum visibility_kind {
     VISIBILITY_RAY,
 };
 
-/* What clusters need. */
+/* Condition under which clusters are used. */
 #define VAL_MAPS "clustered.trace!=on"
 
 #define ROW(name) offsetof(struct vals_settings, name)
@@ -66,7 +66,7 @@ static void free_set(struct val_set *set) {
     block_visibility_pass_free(&set->blocks);
 }
 
-/* What the first bounce's set and that of later ones differ in. */
+/* Differences between the VALs of the first bounce and of later bounces. */
 struct set_desc {
     int vpl_count, val_count;
     bool by_importance;
@@ -131,7 +131,7 @@ enum visibility_lookup vals_lookup(const struct settings *settings) {
     return lookups[own->visibility];
 }
 
-/* A setting that only maps read asks for maps. */
+/* True if a setting that only maps read differs from its default. */
 static bool asks_for_maps(const struct settings *settings) {
     static const struct settings_part *const parts[] = {&vals_part, &map_part, &lookup_part,
                                                         &caster_part, NULL};
@@ -155,7 +155,7 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
                      const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
-    if (lookup == VISIBILITY_LOOKUP_RAY) /* it ends at a VPL: a VAL as a whole has none */
+    if (lookup == VISIBILITY_LOOKUP_RAY) /* a ray ends at a VPL; a block has one lookup per VAL */
         lookup = VISIBILITY_LOOKUP_PCSS;
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->block = own->visibility_block;

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Packed, a result is what the next axis takes. */
+/* Makes one axis. With `pack` it writes packed taps for the next axis. */
 static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
     char defines[40];
     snprintf(defines, sizeof defines, "PACK %d;SPECULAR_BLUR %d", pack, specular);
@@ -75,17 +75,16 @@ void blur_pass_free(struct blur_pass *pass) {
     *pass = (struct blur_pass){0};
 }
 
-/* Of what a list has another pixel takes within the mean of their windows: of its own it would take
- * light that does not come back, and of theirs places of the pattern would be missing, the same
- * ones all along a slanted edge. Smooth specular reflection, where it is a level, is never blurred.
- * Of what is steep it takes less far, or light would come that does not go: within an edge's own
- * window. */
+/* Returns the radius within which other pixels take the light of list entries of this level: the
+ * mean of both windows. By its own window a pixel would take light that does not come back. By
+ * theirs, slots of the pattern would be missing, the same ones all along a slanted edge. Smooth
+ * specular reflection is never blurred. */
 static float taken_radius(const struct blur_desc *desc, int level) {
     float own = (float)desc->radius, theirs = desc->level_radius[level];
     return desc->specular ? fminf(own, theirs) : .5F * (own + theirs);
 }
 
-/* Of all that reflected light starts from, W. */
+/* Returns the flux of all lights from which reflected light starts, W. */
 static double light_power(const struct frame *frame) {
     double sum = 0;
     for (int i = 0; i < frame->emitters->count; i++)

@@ -16,7 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The parts of src/passes/gather/gather.frag, which it includes by these names. */
+/* Returns the file that tests visibility, which gather.frag includes as GATHER_VISIBILITY. */
 static const char *visibility_part(const struct gather_desc *desc) {
     if (desc->together > 0)
         return "passes/gather/gather_groups.glsl";
@@ -53,7 +53,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc) {
     return ok;
 }
 
-/* Near fields and lobes are the first bounce's. */
+/* Returns the descriptor of later bounces, which have no near field and no lobes. */
 static struct gather_desc later_desc(const struct gather_desc *desc) {
     struct gather_desc later = *desc;
     bool rectangles =
@@ -92,7 +92,7 @@ void gather_pass_clear(const struct gather_pass *pass) {
     framebuffer_clear_color(pass->irradiance.framebuffer, TARGET_RESULT, zero);
 }
 
-/* How many VPLs a ball holds at a radius of 1. */
+/* Number of VPLs within a ball of radius 1. */
 static const float neighbours = 10;
 
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
@@ -128,15 +128,15 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
         pass_draw_fullscreen(1);
 }
 
-/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a
- * large scene. Of VPLs that test together a sixth do. */
+/* Returns the most VPLs of one draw. llvmpipe ends the loops of a shader after 65,535 steps in all,
+ * and a ray takes hundreds in a large scene. In groups one VPL of six tests visibility. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
     return !traced ? INT_MAX : pass->desc.together > 6 ? 6 * RAYS_MAX : RAYS_MAX;
 }
 
-/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by
- * side. */
+/* Draws slot s of S, which has VPLs s N / S .. (s + 1) N / S. A list may take the VPLs of `side`
+ * adjacent slots. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
     int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;
@@ -157,7 +157,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
     }
 }
 
-/* The cuts of a slot's set; a list may take those of `side` slots side by side. */
+/* Draws the cuts of a slot's set. A list may take the sets of `side` adjacent slots. */
 static void draw_cuts(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
     int n = pass->desc.interleave, sets = inputs->cuts->tree->sets;

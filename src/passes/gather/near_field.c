@@ -12,20 +12,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of each of n x n pixels, with as many as `side` slots have. */
+/* Returns the samples of a pixel of an n x n pattern that takes the samples of `side` slots. */
 static int samples_of_pixel(const struct near_field_desc *desc, int n, int side) {
     int share = desc->samples / (n * n), samples = (share > 0 ? share : 1) * side;
     return samples < desc->samples ? samples : desc->samples;
 }
 
-/* As many of all as are wanted, but no fewer than the least. */
+/* Returns `wanted`, but at least `least` and no more than `all`. */
 static int reduced(int all, int wanted, int least) {
     least = all < least ? all : least;
     return wanted > least ? wanted : least;
 }
 
-/* Fewer than so many are too few for a corner; of one light, where several share them, than so
- * many. */
+/* Least samples that resolve a corner; least samples of one of several lights that share them. */
 static const int adaptive_least = 32, light_least = 8;
 
 static int samples_of_adaptive(const struct near_field_desc *desc, int n, int side) {
@@ -150,7 +149,7 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
-/* A tile of a slot of the pattern, or one of its lists. */
+/* A draw of one tile, or of one list of a slot. */
 struct near_draw {
     int slot, list;
     int lights_of, light_count; /* the slot whose lights it takes, and how many they are */
@@ -205,9 +204,8 @@ static void draw_all(const struct near_field_pass *pass, const struct frame *fra
                                      .pass = frame->pass});
 }
 
-/* What is on a list has few neighbours that are like it, and shows the lights that it takes itself:
- * it takes all of a group, and as many samples of them together as of those that it would be
- * allocated. */
+/* List entries have few similar neighbours, so each takes all lights of a group. All lights
+ * together get as many samples as the lights allocated to a pixel. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
                        const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;

@@ -18,10 +18,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a VPL is made of: ATTRIBUTE_VPL_POINT. */
+/* Vertex of a VPL: ATTRIBUTE_VPL_POINT. */
 struct vpl_point {
     float halton[2];
-    float light; /* a whole number; by importance a number that chooses one */
+    float light; /* index of the light; by importance: number in [0, 1) that chooses it */
 };
 
 static bool init_programs(struct vpl_pass *pass) {
@@ -66,8 +66,8 @@ void vpl_pass_free(struct vpl_pass *pass) {
     *pass = (struct vpl_pass){0};
 }
 
-/* A shift by Halton's own later points: for any seed, and for each light after the first, a new set
- * that is as even. */
+/* Returns a shift by later Halton bases. Each seed and each light after the first gets a new point
+ * set that is as even. */
 static double shift(int seed, int light, int axis) {
     double by_seed = seed ? radical_inverse(axis ? 7 : 5, (uint32_t)seed) : 0;
     return by_seed + radical_inverse(axis ? 13 : 11, (uint32_t)light);
@@ -91,7 +91,7 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
     free(dealt);
 }
 
-/* In three dimensions, of which the third chooses the light by importance, on the GPU. */
+/* Makes points of three dimensions. The third chooses the light by importance, on the GPU. */
 static void spread_points(struct vpl_pass *pass, int frame_pass) {
     /* Directions of paths have the numbers between. */
     const uint32_t bases[] = {2, 3, pass->desc.of_paths ? 73 : 5};
@@ -108,7 +108,7 @@ static void spread_points(struct vpl_pass *pass, int frame_pass) {
     }
 }
 
-/* In most clips the fluxes stay what they are, and so do the points. */
+/* Makes the points again only if fluxes or the pass changed: in most clips they stay. */
 static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     const struct emitters *emitters = frame->emitters;
     double fluxes[LIGHTS_MAX] = {0};
@@ -126,9 +126,8 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     buffer_write(&pass->samples, 0, (size_t)pass->desc.count * sizeof *pass->points, pass->points);
 }
 
-/* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
- * few VPLs are far apart. The VPLs of a group lie among each other: asked for is in their spacings,
- * not in those of the few that are this light's. */
+/* Returns the radius of the near field: `asked`, in spacings of the VPLs of a group, but at most 45
+ * degrees in the light's view, where few VPLs are far apart. */
 static float near_reach(const struct light *light, float measure, float asked) {
     float widest = measure / (float)VPL_COSINE_MIN;
     const float reach_of_many = 2; /* few rays find it (passes/gather/near_sampled.h) */

@@ -16,7 +16,7 @@ struct sample_layers sample_layers(int samples, int most) {
     return (struct sample_layers){(samples + of_layer - 1) / of_layer, of_layer};
 }
 
-/* Samples that a pixel of a texture has at most, of colours and of depths. */
+/* Returns the most samples of a pixel that the driver has for both colours and depths. */
 static int driver_samples(void) {
     GLint colors = 0, depths = 0;
     gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &colors);
@@ -95,13 +95,12 @@ static bool init_assignment(struct antialias_pass *pass) {
     return true;
 }
 
-/* As near to a pixel's border as rasterisers place what they draw: of what a sliver of a pixel
- * shows a layer of light is the mean, however narrow it is. */
+/* Outermost sample, pixels from the centre: as near to the border as rasterisers resolve, so that
+ * narrow slivers have samples. */
 static const float outermost = .5F - 1 / 256.F;
 
-/* Where layer i moves its samples, pixels: the outermost ones to the border, the others evenly
- * between, across x and y in different orders. A layer alone stays where the driver has its
- * samples. */
+/* Returns the shift of layer i, pixels: the outermost layers to the border, the others evenly
+ * between, in different orders along x and y. A single layer keeps the driver's positions. */
 static void layer_shift(const struct sample_layers *layers, int i, float shift[2]) {
     static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER_MIN] = {
         {0}, {0, 1}, {1, 2, 0}, {2, 0, 3, 1}};
@@ -159,8 +158,8 @@ void antialias_pass_free(struct antialias_pass *pass) {
 /* Error of levels of detail, pixels. edges.frag lets samples lie about as far off their plane. */
 static const float sample_error = .125F;
 
-/* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several
- * times faster, so masks go apart. */
+/* Draws the surfaces of the G-buffer. A rasteriser is several times faster without discarded
+ * fragments, so masks are drawn apart. */
 static void render_samples(const struct antialias_pass *pass, const struct frame *frame) {
     struct pass_state state = {
         .name = "samples",

@@ -118,8 +118,9 @@ static void add_contribution(struct pass_state *state, const struct contribution
         pass_add_texture(state, UNIT_VOLUME_CAUSTIC, contribution->volume_caustic->id);
 }
 
-/* What all pixels' centres see, and at depth 0 those that samples see more of: for a rasteriser in
- * software, which executes both sides of a branch. A dispatch has all in one. */
+/* Draws the centres of all pixels, and marks pixels that need samples by depth 0. A software
+ * rasteriser executes both sides of a branch, so samples have a second draw; a dispatch does both
+ * in one. */
 static void draw_centers(const struct composite_pass *pass, struct pass_state state) {
     state.program = pass->centers_program;
     state.depth = PASS_DEPTH_LESS;

@@ -46,7 +46,7 @@ static void clear(const struct gbuffer *gbuffer, const float normal[4], const fl
     framebuffer_clear_depth(gbuffer->framebuffer, depth);
 }
 
-/* What is seen, and by which program, is in the state that comes in. */
+/* Draws the views by the program and blocks of `state`. */
 static void render(struct pass_state state, const struct frame *frame,
                    const struct gbuffer *gbuffer, struct draw_views views) {
     static const float zero[4] = {0};
@@ -62,7 +62,7 @@ static void render(struct pass_state state, const struct frame *frame,
     scene_gpu_draw_shaded(frame->scene, &views);
 }
 
-/* Across the view of an orthographic camera, facing it. */
+/* Fills the G-buffer with a white plane across an orthographic view, facing the camera. */
 static void show_sensor(const struct frame *frame, const struct gbuffer *gbuffer) {
     static const float white[4] = {1, 1, 1, 1};
     const float *forward = frame->camera->forward;
