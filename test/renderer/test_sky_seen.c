@@ -92,6 +92,19 @@ TEST(slit) {
     assert_true(inside > DIRECTIONS / 2);
 }
 
+/* The sky's strength changes no bit: the renderer keeps groups while it changes. */
+TEST(strength) {
+    OWNED(stage) stage;
+    struct sky_groups groups, again;
+    struct environment_lights lights;
+    open_nodes(&stage, SLIT_ROOM);
+    stage.scene.environment->turn = 90;
+    group(&groups, &lights, &stage);
+    stage.scene.environment->strength = 2.3F;
+    group(&again, &lights, &stage);
+    assert_true(sky_groups_same(&groups, &again));
+}
+
 /* No place reflects light into the picture: all lights count by their power. */
 TEST(open_floor) {
     OWNED(stage) stage;
