@@ -118,8 +118,9 @@ static void fail_with_screen(const char *why) {
     fail_msg("%s; the screen: %s", why, path);
 }
 
-/* The middle of a widget, as the viewer tells where they are. */
-static bool read_place(const char *name, int *x, int *y) {
+/* The middle of the first widget whose name begins so, as the viewer tells where they are, and its
+ * name. */
+static bool read_place(const char *begin, bool is_whole, int *x, int *y, char name[300]) {
     char path[700], line[300];
     bool found = false;
     snprintf(path, sizeof path, "%s/places", stage.folder);
@@ -128,10 +129,12 @@ static bool read_place(const char *name, int *x, int *y) {
         int left, top, width, height, at = 0;
         line[strcspn(line, "\n")] = '\0';
         found = sscanf(line, "%d %d %d %d %n", &left, &top, &width, &height, &at) == 4 &&
-                strcmp(line + at, name) == 0;
+                strncmp(line + at, begin, strlen(begin)) == 0 &&
+                (!is_whole || strlen(line + at) == strlen(begin));
         if (found) {
             *x = left + width / 2;
             *y = top + height / 2;
+            snprintf(name, 300, "%s", line + at);
         }
     }
     if (file)
@@ -167,16 +170,24 @@ void sync_viewer(void) {
 }
 
 bool is_on_screen(const char *name) {
+    char known[300];
     int x, y;
     sync_viewer();
-    return read_place(name, &x, &y);
+    return read_place(name, true, &x, &y, known);
+}
+
+const char *find_text(const char *begin) {
+    static char name[300];
+    int x, y;
+    return read_place(begin, false, &x, &y, name) ? name : "";
 }
 
 /* What is not there after a moment may be above or below what the panel shows. */
 void find_place(const char *name, int *x, int *y) {
+    char known[300];
     for (int i = 0; i < 200; i++) {
         sync_viewer();
-        if (read_place(name, x, y))
+        if (read_place(name, true, x, y, known))
             return;
         if (i >= 3 && i % 3 == 0)
             xdo("mousemove %d %d click --repeat %d --delay 1 %d", WIDTH + PANEL - 6, HEIGHT / 2,
@@ -219,6 +230,28 @@ void press_in_settings(const char *button) {
     press(button);
     rest_mouse();
     sync_viewer();
+}
+
+const char *copy_command(void) {
+    static char command[3000];
+    press_in_settings("Copy command line");
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    return command;
+}
+
+void check_command(const char *command) {
+    assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
+    OWNED(bitmap) expected = read_bitmap(in_stage("picture.png")), got = screenshot();
+    assert_int_equal(count_differences(&expected, &got), 0);
+}
+
+const char *render_file(const char *name, int width, int height, const char *arguments) {
+    const char *path = form("%s/%s", stage.folder, name);
+    assert_int_equal(shell("%s render --size %dx%d %s %s -q -o %s", stage.binary, width, height,
+                           CHEAP, arguments, path),
+                     0);
+    return path;
 }
 
 void save_settings(void) {

@@ -89,6 +89,10 @@ double used_seconds(void);
 void find_place(const char *name, int *x, int *y);
 bool is_on_screen(const char *name);
 
+/* The first name of a label, a line of values or a widget that begins so; "" = there is none.
+ * Static buffer. */
+const char *find_text(const char *begin);
+
 /* Types a value into a row that has a slider, by Ctrl and a click. */
 void type_into(const char *row, const char *text);
 void press(const char *name);
@@ -98,6 +102,11 @@ void rest_mouse(void);
 
 /* One of the buttons of the section of settings. */
 void press_in_settings(const char *button);
+
+/* The command line that its button copies, in a static buffer. check_command runs it: its picture
+ * is the viewer's, bit for bit. */
+const char *copy_command(void);
+void check_command(const char *command);
 
 /* Saves what all that was asked for so far has come to. */
 void save_settings(void);
@@ -113,6 +122,9 @@ const unsigned char *pixel(const struct bitmap *bitmap, int x, int y);
 
 struct bitmap read_bitmap(const char *path);
 int count_differences(const struct bitmap *a, const struct bitmap *b);
+
+/* Renders to a file of the scratch folder; its path. */
+const char *render_file(const char *name, int width, int height, const char *arguments);
 
 /* What `manylight render` makes of these arguments, at the viewer's size. */
 struct bitmap offscreen(const char *arguments);

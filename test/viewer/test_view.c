@@ -3,8 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include <unistd.h>
-
 #define SCENE "scenes/cornell-box.glb"
 
 /* How many pixels differ where no overlay lies: messages are below, the mouse in the middle. */
@@ -128,24 +126,6 @@ TEST(presets) {
     end_viewer();
 }
 
-/* The saved settings' camera, for a command line. */
-static void read_camera(char *text, size_t size) {
-    char line[600];
-    const char *path = form("%s/manylight.settings", stage.folder);
-    for (int i = 0; i < PATIENCE_MS / 10 && access(path, R_OK) != 0; i++)
-        pause_ms(10);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    text[0] = '\0';
-    while (fgets(line, sizeof line, file)) {
-        line[strcspn(line, "\n")] = '\0';
-        if (strncmp(line, "camera = ", 9) == 0)
-            snprintf(text, size, "%.399s", line + 9);
-    }
-    fclose(file);
-    remove(path);
-}
-
 TEST(orbit) {
     need_viewer();
     struct bitmap before = screenshot();
@@ -154,10 +134,9 @@ TEST(orbit) {
     assert_true(count_differences(&before, &after) > WIDTH * HEIGHT / 4);
     bitmaps_free(&before, &after);
 
-    press("Settings");
-    press("Save");
+    save_settings();
     char camera[400];
-    read_camera(camera, sizeof camera);
+    read_setting("camera", camera, sizeof camera);
     printf("    %s\n", camera);
     assert_non_null(strstr(camera, "eye="));
     const char *arguments =

@@ -7,9 +7,6 @@
 #include "scene/placing.h"
 #include "viewer/scene/orbit.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #define BOX "scenes/cornell-box.glb"
 #define MOVING "scenes/metaballs.glb"
 

@@ -2,8 +2,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include <unistd.h>
-
 #define BOX "scenes/cornell-box.glb"
 
 static void check_idle(const char *what) {

@@ -5,51 +5,20 @@
 
 #include "inspect/marks.h"
 
-#include <unistd.h>
-
 #define BOX "scenes/cornell-box.glb"
 
 enum { SMALL_WIDTH = WIDTH / 2, SMALL_HEIGHT = HEIGHT / 2 };
 
 /* Half as wide and high as the window: what fits is enlarged twice. */
-static void render_reference(const char *arguments, char *path, size_t size) {
-    snprintf(path, size, "%s/reference.exr", stage.folder);
-    assert_int_equal(shell("%s render --size %dx%d %s " BOX " %s -q -o %s", stage.binary,
-                           SMALL_WIDTH, SMALL_HEIGHT, CHEAP, arguments, path),
-                     0);
-}
-
-static struct bitmap render_small(const char *arguments) {
-    const char *path = form("%s/small.png", stage.folder);
-    assert_int_equal(shell("%s render --size %dx%d %s " BOX " %s -q -o %s", stage.binary,
-                           SMALL_WIDTH, SMALL_HEIGHT, CHEAP, arguments, path),
-                     0);
-    return read_bitmap(path);
-}
-
-/* The name of a label or a line of values that begins so; "" = there is none. */
-static void find_text(const char *begin, char *text, size_t size) {
-    char line[300];
-    const char *path = form("%s/places", stage.folder);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    *text = '\0';
-    while (!*text && fgets(line, sizeof line, file)) {
-        int at = 0;
-        line[strcspn(line, "\n")] = '\0';
-        if (sscanf(line, "%*d %*d %*d %*d %n", &at) == 0 && at > 0 &&
-            strncmp(line + at, begin, strlen(begin)) == 0)
-            snprintf(text, size, "%s", line + at);
-    }
-    fclose(file);
+static const char *render_small(const char *name, const char *arguments) {
+    return render_file(name, SMALL_WIDTH, SMALL_HEIGHT, arguments);
 }
 
 static void begin(void) {
-    char path[700];
     if (!stage.server)
         skip();
-    render_reference("", path, sizeof path);
-    const char *arguments = form("--technique unshadowed --reference %s", path);
+    const char *arguments =
+        form("--technique unshadowed --reference %s", render_small("reference.exr", BOX));
     start_viewer(BOX, arguments);
     sync_viewer();
     xdo("key " F3 " key " F3); /* no times */
@@ -59,7 +28,8 @@ static void begin(void) {
 /* Left of the wipe, each pixel is a square of four. */
 TEST(enlarged) {
     begin();
-    struct bitmap left = render_small("--technique unshadowed"), screen = read_screen();
+    struct bitmap left = read_bitmap(render_small("small.png", BOX " --technique unshadowed")),
+                  screen = read_screen();
     int wrong = 0;
     for (int y = 20; y < HEIGHT - 140; y++)
         for (int x = 0; x < WIDTH / 2 - 24; x++)
@@ -84,7 +54,8 @@ TEST(enlarged) {
 
 TEST(layouts) {
     need_viewer();
-    OWNED(bitmap) left = render_small("--technique unshadowed"), right = render_small("");
+    OWNED(bitmap) left = read_bitmap(render_small("small.png", BOX " --technique unshadowed"));
+    OWNED(bitmap) right = read_bitmap(render_small("small.png", BOX));
     xdo("key v");
     OWNED(bitmap) beside = screenshot();
     assert_int_equal(beside.width, 2 * SMALL_WIDTH);
@@ -112,10 +83,9 @@ TEST(layouts) {
 
 /* The inspector tells what is in the files. */
 static void check_values(const char *name, const char *path, int x, int y) {
-    char text[200];
+    const char *text = find_text(name);
     double told[3];
     OWNED(image) image;
-    find_text(name, text, sizeof text);
     printf("    %s\n", text);
     assert_int_equal(sscanf(text + strlen(name), "%lf %lf %lf", &told[0], &told[1], &told[2]), 3);
     check_ok(path, image_read(&image, path));
@@ -127,20 +97,16 @@ static void check_values(const char *name, const char *path, int x, int y) {
 }
 
 TEST(inspector) {
-    char text[200];
     need_viewer();
     xdo("key i mousemove %d %d", WIDTH / 4 + 1, HEIGHT / 2 + 201);
     sync_viewer();
     const char *reference = form("%s/reference.exr", stage.folder);
-    const char *own = form("%s/own.exr", stage.folder);
-    const char *command = form("%s render --size %dx%d %s " BOX " --technique unshadowed -q -o %s",
-                               stage.binary, SMALL_WIDTH, SMALL_HEIGHT, CHEAP, own);
-    assert_int_equal(shell("%s", command), 0);
+    const char *own = render_small("own.exr", BOX " --technique unshadowed");
     const int x = (WIDTH / 4 + 1) / 2, y = (HEIGHT / 2 + 201) / 2;
     int left, above, below;
     check_values("left ", own, x, y);
     check_values("right ", reference, x, y);
-    find_text("left ", text, sizeof text);
+    const char *text = find_text("left ");
     find_place(text, &left, &above);
     xdo("key " F3); /* the line of times, for which it makes room */
     find_place(text, &left, &below);
@@ -148,28 +114,21 @@ TEST(inspector) {
     assert_true(above < 100 && below > HEIGHT / 2);
     xdo("key " F3 " key " F3 " key i");
     sync_viewer();
-    find_text("left ", text, sizeof text);
-    assert_string_equal(text, "");
+    assert_string_equal(find_text("left "), "");
 }
 
 /* Moved, the picture is not the reference's any more, and is told so; back again it is. */
 TEST(view) {
-    char text[200];
     need_viewer();
     press("Compare"); /* folded, it has no button of that name */
     sync_viewer();
-    find_text("reference", text, sizeof text);
-    assert_string_equal(text, "reference");
+    assert_string_equal(find_text("reference"), "reference");
     xdo("mousemove 40 600 click 4");
     sync_viewer();
-    find_text("reference", text, sizeof text);
-    printf("    moved: %s\n", text);
-    assert_string_equal(text, "reference of another view");
+    assert_string_equal(find_text("reference"), "reference of another view");
     xdo("key r");
     sync_viewer();
-    find_text("reference", text, sizeof text);
-    printf("    back: %s\n", text);
-    assert_string_equal(text, "reference");
+    assert_string_equal(find_text("reference"), "reference");
     end_viewer();
 }
 
@@ -182,7 +141,7 @@ static void open_surface(void) {
 
 /* What was clicked on stays the same place, however often it is looked at from elsewhere. */
 TEST(pick) {
-    char first[200], text[200];
+    char first[300];
     if (!stage.server)
         skip();
     start_viewer(BOX, "");
@@ -190,14 +149,13 @@ TEST(pick) {
     open_surface();
     xdo("mousemove 150 640 click 1");
     sync_viewer();
-    find_text("position, m ", first, sizeof first);
+    snprintf(first, sizeof first, "%s", find_text("position, m "));
     for (int i = 0; i < 4; i++) {
         xdo("mousemove 60 300 mousedown 1 mousemove %d 300 mouseup 1", i % 2 ? 53 : 67);
         sync_viewer();
-        find_text("position, m ", text, sizeof text);
-        printf("    %s, after a turn %s\n", first, text);
-        assert_true(strlen(text) > 12);
-        assert_string_equal(text, first);
+        printf("    %s, after a turn %s\n", first, find_text("position, m "));
+        assert_true(strlen(first) > 12);
+        assert_string_equal(find_text("position, m "), first);
     }
     end_viewer();
 }

@@ -3,10 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "desktop.h"
-
-#include <unistd.h>
-
 #define BOX "scenes/cornell-box.glb"
 #define SPHERE "scenes/sphere.glb"
 
@@ -156,18 +152,13 @@ static void empty_sky_field(void) {
  * sky is removed; the copied line says it all. */
 TEST(sky_of_unlit_scene) {
     need_viewer();
-    char command[3000];
     const char *unlit = form("%s", write_unlit());
     const char *under_sky = form("%s --environment scenes/day.hdr", unlit);
     drop(unlit);
     wait_for_scene("unlit.gltf");
     drop("scenes/day.hdr");
     check_same("a sky where no light was", under_sky);
-    press("Copy command line");
-    rest_mouse();
-    sync_viewer();
-    assert_true(desktop_read_clipboard(command, sizeof command));
-    printf("    %s\n", command);
+    const char *command = copy_command();
     assert_non_null(strstr(command, "/scenes/day.hdr"));
     assert_non_null(strstr(command, "--light sky "));
     xdo("key ctrl+z");

@@ -12,48 +12,31 @@ static void begin(const char *arguments) {
 }
 
 /* Whether a label or a line of values begins so. */
-static bool is_told(const char *start, char *text, size_t size) {
-    char line[300];
-    bool found = false;
-    const char *path = form("%s/places", stage.folder);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    while (!found && fgets(line, sizeof line, file)) {
-        int at = 0;
-        line[strcspn(line, "\n")] = '\0';
-        found = sscanf(line, "%*d %*d %*d %*d %n", &at) == 0 && at > 0 &&
-                strncmp(line + at, start, strlen(start)) == 0;
-        if (found)
-            snprintf(text, size, "%s", line + at);
-    }
-    fclose(file);
-    return found;
+static bool is_told(const char *begin) {
+    const char *text = find_text(begin);
+    if (*text)
+        printf("    %s\n", text);
+    return *text;
 }
 
 /* The section is folded and two sections below the fold: the click opens it and leaves what is
  * under the mouse. */
 TEST(click) {
-    char text[200] = "";
     begin("");
-    assert_false(is_told("position, m ", text, sizeof text));
+    assert_false(is_told("position, m "));
     xdo("mousemove 150 640 click 1");
     sync_viewer();
     sync_viewer();
-    assert_false(is_told("position, m ", text, sizeof text));
-    for (int i = 0; i < 40 && !is_told("lit most by ", text, sizeof text); i++) {
+    assert_false(is_told("position, m "));
+    for (int i = 0; i < 40 && !is_told("lit most by "); i++) {
         xdo("mousemove %d 500 click 5", WIDTH + PANEL / 2);
         sync_viewer();
     }
-    assert_true(is_told("position, m ", text, sizeof text));
-    printf("    %s\n", text);
-    assert_true(is_told("lit most by ", text, sizeof text));
-    printf("    %s\n", text);
+    assert_true(is_told("position, m ") && is_told("lit most by "));
     /* Without the panel a label on the picture tells it. */
     xdo("key " F2);
     sync_viewer();
-    assert_true(is_told("lit by ", text, sizeof text));
-    printf("    %s\n", text);
-    assert_non_null(strchr(text, '%'));
+    assert_true(is_told("lit by ") && strchr(find_text("lit by "), '%'));
     end_viewer();
 }
 
@@ -124,17 +107,14 @@ TEST(two_clicks_type) {
 
 /* By a chord that no window manager takes. */
 TEST(enlarge) {
-    char text[64] = "";
     need_viewer();
     xdo("mousemove %d %d keydown ctrl keydown shift click --repeat 4 4 keyup shift keyup ctrl",
         WIDTH / 2, HEIGHT / 2);
     sync_viewer();
-    bool told = is_told("244 %", text, sizeof text);
-    printf("    four steps of the wheel: %s\n", text);
-    assert_true(told);
+    assert_true(is_told("244 %")); /* four steps of the wheel */
     xdo("key z");
     sync_viewer();
-    assert_false(is_told("244 %", text, sizeof text));
+    assert_false(is_told("244 %"));
     end_viewer();
 }
 

@@ -5,9 +5,6 @@
 
 #include "desktop.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #define SIZE "--size 240x740 "
 
 /* How many colours there are in a part of the screen about a place. */
@@ -49,40 +46,22 @@ TEST(gallery) {
 /* It is neither of exposure 0 nor clamped, and its command line says so and makes the same. */
 TEST(exposure) {
     need_viewer();
-    press("Settings");
-    press("Copy command line");
-    rest_mouse();
-    sync_viewer();
-    char command[2000];
-    assert_true(desktop_read_clipboard(command, sizeof command));
-    printf("    %s\n", command);
+    const char *command = copy_command();
     assert_non_null(strstr(command, "picture.tone-map=filmic"));
-    char *exposure = strstr(command, "picture.exposure=");
+    const char *exposure = strstr(command, "picture.exposure=");
     assert_non_null(exposure);
     assert_true(atof(exposure + strlen("picture.exposure=")) != 0);
-    assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
-    const char *path = form("%s/picture.png", stage.folder);
-    OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
-    assert_int_equal(count_differences(&expected, &got), 0);
-    bitmap_free(&got);
+    check_command(command);
     xdo("key equal key equal key 0");
-    got = screenshot();
-    assert_int_equal(count_differences(&expected, &got), 0);
+    check_command(command);
 }
 
 /* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */
 TEST(darkness) {
     need_viewer();
-    char command[2000];
-    const char *path = form("%s/scenes/door.glb", stage.here);
-    assert_int_equal(run_command("xdotool search --name manylight", command, sizeof command), 0);
-    assert_true(desktop_drop(strtoul(command, NULL, 10), path));
+    drop("scenes/door.glb");
     wait_for_scene("door.glb");
-    press("Copy command line");
-    rest_mouse();
-    sync_viewer();
-    assert_true(desktop_read_clipboard(command, sizeof command));
-    printf("    %s\n", command);
+    const char *command = copy_command();
     assert_non_null(strstr(command, "--time 5"));
     const char *exposure = strstr(command, "picture.exposure="); /* 0 is left out */
     assert_true(!exposure || atof(exposure + strlen("picture.exposure=")) < 8);
@@ -147,13 +126,9 @@ TEST(desktop_dialog) {
 TEST(options) {
     if (!stage.server)
         skip();
-    const char *path = form("%s/told.settings", stage.folder);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs("layer = indirect\nvpls = 64\nvals = 4\nmap-size = 32\nrsm-size = 64\n"
-          "shadow-size = 256\ninterleave = 4\nexposure = 1\n",
-          file);
-    fclose(file);
+    write_in_stage("told.settings",
+                   "layer = indirect\nvpls = 64\nvals = 4\nmap-size = 32\nrsm-size = 64\n"
+                   "shadow-size = 256\ninterleave = 4\nexposure = 1\n");
     start_viewer("scenes/sphere.glb", "--settings told.settings --scale 1.25");
     check_same("by --settings", "scenes/sphere.glb --layer indirect --set exposure=1");
     int x, y, larger;
@@ -189,10 +164,7 @@ static void expect_field(const char *name, const char *words) {
 TEST(fields) {
     if (!stage.server)
         skip();
-    const char *path = form("%s/reference.exr", stage.folder);
-    assert_int_equal(shell("%s render --size %dx%d %s scenes/sphere.glb -q -o %s", stage.binary,
-                           WIDTH, HEIGHT, CHEAP, path),
-                     0);
+    const char *path = render_file("reference.exr", WIDTH, HEIGHT, "scenes/sphere.glb");
     const char *arguments = form("--reference %s", path);
     start_viewer("scenes/sphere.glb", arguments);
     expect_field("open", "/scenes/sphere.glb");

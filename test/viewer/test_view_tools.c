@@ -3,11 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "desktop.h"
-
-#include <sys/stat.h>
-#include <unistd.h>
-
 #define MOVING "scenes/metaballs.glb"
 #define BOX "scenes/cornell-box.glb"
 
@@ -90,17 +85,9 @@ TEST(times) {
 TEST(copy) {
     need_viewer();
     xdo("mousemove 60 300 mousedown 1 mousemove 90 310 mousemove 100 315 mouseup 1");
-    press_in_settings("Copy command line");
-    char command[2000];
-    assert_true(desktop_read_clipboard(command, sizeof command));
-    printf("    %s\n", command);
+    const char *command = copy_command();
     assert_int_equal(strncmp(command, stage.binary, strlen(stage.binary)), 0); /* not on the path */
-    assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
-    const char *path = form("%s/picture.png", stage.folder);
-    OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
-    int different = count_differences(&expected, &got);
-    printf("    %-48s %d pixels differ\n", "the copied command line's picture", different);
-    assert_int_equal(different, 0);
+    check_command(command);
 }
 
 TEST(end) {
@@ -112,11 +99,8 @@ TEST(end) {
 TEST(reference) {
     if (!stage.server)
         skip();
-    const char *path = form("%s/reference.exr", stage.folder);
-    assert_int_equal(shell("%s render --size %dx%d %s " BOX " -q -o %s", stage.binary, WIDTH,
-                           HEIGHT, CHEAP, path),
-                     0);
-    const char *arguments = form("--technique unshadowed --reference %s", path);
+    const char *arguments = form("--technique unshadowed --reference %s",
+                                 render_file("reference.exr", WIDTH, HEIGHT, BOX));
     start_viewer(BOX, arguments);
     struct bitmap left = offscreen(BOX " --technique unshadowed"), right = offscreen(BOX),
                   shown = screenshot();
