@@ -4,6 +4,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "inspect/lights.h"
+#include "metrics/colour.h"
 #include "passes/maps.h"
 #include "shared/inspect.h"
 #include "shared/vpl.h"
@@ -117,10 +118,10 @@ static float irradiance_from(const struct vpl *vpl, const struct pick *pick) {
     float distance2 = glm_vec3_norm2(to_vpl);
     float cosines = fmaxf(glm_vec3_dot(to_vpl, (float *)pick->normal), 0) *
                     fmaxf(-glm_vec3_dot(to_vpl, (float *)vpl->normal), 0);
-    float flux = .2126F * vpl->flux[0] + .7152F * vpl->flux[1] + .0722F * vpl->flux[2];
     if (cosines <= 0)
         return 0;
-    return flux * cosines / ((float)GLM_PI * distance2 * (distance2 + vpl->area / (float)GLM_PI));
+    return rgb_luminance(vpl->flux) * cosines /
+           (GLM_PIf * distance2 * (distance2 + vpl->area / GLM_PIf));
 }
 
 static int brightest_first(const void *a, const void *b) {

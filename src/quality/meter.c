@@ -1,6 +1,7 @@
 #include "quality/meter.h"
 
 #include "base/error.h"
+#include "metrics/colour.h"
 #include "quality/picture.h"
 #include "scene/caustics.h"
 
@@ -14,15 +15,9 @@ enum { SENSOR_PIXELS = 16 };
 /* Distance of a sensor's camera and width of its plane, over the scene's radius. */
 static const float camera_distance = 1e-3F, sensor_size = 1e-4F;
 
-static const double luminance[3] = {.2126, .7152, .0722}; /* ITU-R BT.709 */
-
 /* Irradiance of a layer that has irradiance over pi. */
 static double irradiance(const float *pixel, const struct image *image, const char *layer) {
-    const float *rgb = pixel + image_find_channel(image, layer);
-    double sum = 0;
-    for (int c = 0; c < 3; c++)
-        sum += luminance[c] * (double)rgb[c];
-    return GLM_PI * sum;
+    return GLM_PI * (double)rgb_luminance(pixel + image_find_channel(image, layer));
 }
 
 static bool read_frame(struct renderer *renderer, struct reading *reading) {

@@ -1,6 +1,7 @@
 #include "viewer/scene/develop.h"
 
 #include "base/memory.h"
+#include "metrics/colour.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,10 +10,6 @@
  * fiftieth may: the filmic curve shows 2.5 as 248 of 255, so that the form of what a lamp lights is
  * seen. */
 static const double middle_grey = .14, brightest = 4, below_white = 2.5;
-
-static double luminance(const float *rgb) {
-    return .2126 * (double)rgb[0] + .7152 * (double)rgb[1] + .0722 * (double)rgb[2];
-}
 
 static int ascending(const void *a, const void *b) {
     const double *x = a, *y = b;
@@ -28,7 +25,7 @@ static double *read_luminances(const struct image *image, size_t *number) {
         for (size_t i = 0; i < pixels; i++) {
             const float *pixel = image->pixels + i * (size_t)image->channel_count;
             const float rgb[3] = {pixel[channels[0]], pixel[channels[1]], pixel[channels[2]]};
-            values[count] = luminance(rgb);
+            values[count] = (double)rgb_luminance(rgb);
             count += isfinite(values[count]) && values[count] > 1e-6;
         }
     *number = count;
@@ -73,10 +70,6 @@ static double filmic(double x) {
     return fmin(fmax(y, 0), 1);
 }
 
-static double encode(double x) {
-    return x <= .0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - .055;
-}
-
 void develop_picture(const struct image *image, float exposure, struct bitmap *bitmap) {
     int channels[3];
     size_t pixels = (size_t)image->width * (size_t)image->height;
@@ -85,13 +78,10 @@ void develop_picture(const struct image *image, float exposure, struct bitmap *b
         return;
     for (size_t i = 0; i < pixels; i++)
         for (int c = 0; c < 4; c++) {
-            double value =
-                c < 3
-                    ? (double)image->pixels[i * (size_t)image->channel_count + (size_t)channels[c]]
-                    : 0;
+            const float *pixel = image->pixels + i * (size_t)image->channel_count;
+            double value = c < 3 ? (double)pixel[channels[c]] * exp2((double)exposure) : 0;
             bitmap->rgba[4 * i + (size_t)c] =
-                c < 3 ? (unsigned char)lrint(
-                            255 * encode(filmic(fmax(value, 0) * exp2((double)exposure))))
+                c < 3 ? (unsigned char)lrintf(255 * srgb_encode((float)filmic(fmax(value, 0))))
                       : 255;
         }
 }
