@@ -14,6 +14,9 @@ void panel_draw_compare(struct viewer *viewer);
 void panel_draw_light(struct viewer *viewer);
 void panel_draw_camera(struct viewer *viewer);
 
+/* Draws the curves of a light that has a profile. */
+void panel_draw_profile(const struct emitter *light);
+
 /* Handles keys and mouse. The table of keys is also the help page. */
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);

@@ -176,6 +176,8 @@ static void draw_light(struct viewer *viewer) {
         changed |= draw_cone(light);
     if (changed)
         viewer_touch_light(viewer);
+    if (emitter_has_slide(light) && light->slide->is_profile)
+        panel_draw_profile(light);
 }
 
 /* --- the sky --- */
