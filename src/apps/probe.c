@@ -231,8 +231,8 @@ static bool write_map(const struct values *values, const struct points *points,
         cells[up * points->columns + i % points->columns] =
             (float)(all.unit * total_of(&readings[i]));
     }
-    snprintf(title, sizeof title, "%s. mean %.4g least %.4g most %.4g",
-             values->unit == UNIT_LUX ? "lux" : "w per m2", all.mean, all.least, all.greatest);
+    snprintf(title, sizeof title, "%s. mean %.4g least %.4g most %.4g", unit_names[values->unit],
+             all.mean, all.least, all.greatest);
     struct heat_map map = {.title = title,
                            .width = points->columns,
                            .height = points->count / points->columns,

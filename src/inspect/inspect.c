@@ -46,6 +46,7 @@ void inspect_free(struct inspect *inspect) {
     textures_free(&inspect->no_plane, &inspect->no_layers);
     free_canvas(inspect);
     marks_free(&inspect->marks);
+    light_map_free(&inspect->light);
 }
 
 /* --- what there is --- */
@@ -75,6 +76,8 @@ static const struct texture *texture_of(const struct renderer *renderer,
     case OUTPUT_VALS:
     case OUTPUT_VISIBILITY:
     case OUTPUT_AO:
+    case OUTPUT_ILLUMINANCE:
+    case OUTPUT_LUMINANCE:
     case OUTPUT_VOXELS: /* of the same size */
         return &renderer->composite.display;
     default:
@@ -241,6 +244,25 @@ static bool draw_asked(struct renderer *renderer, const struct frame *frame, str
     return picture || !drawn;
 }
 
+/* Without a shader: colours are those of `probe --map`. */
+static bool draw_light(struct inspect *inspect, struct renderer *renderer, enum output_kind kind,
+                       const struct inspect_choice *choice) {
+    struct heat_map *light = &inspect->light;
+    struct bitmap picture;
+    if (!light_map_init(light, renderer, kind, choice->unit, choice->top) ||
+        !fit_canvas(inspect, light->width, light->height))
+        return false;
+    heat_map_draw_values(light, &picture);
+    texture_write_bitmap(&inspect->canvas, &picture);
+    bitmap_free(&picture);
+    return true;
+}
+
+const struct heat_map *inspect_light(const struct inspect *inspect,
+                                     const struct inspect_choice *choice) {
+    return choice->output && inspect->light.values ? &inspect->light : NULL;
+}
+
 static int mode_of(enum output_kind kind) {
     static const int modes[] = {
         [OUTPUT_NORMAL] = INSPECT_NORMAL,         [OUTPUT_ALBEDO] = INSPECT_ALBEDO,
@@ -292,6 +314,9 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!find(&shown, renderer, choice->output))
         return error_set("technique '%s' has no output '%s'", renderer->technique->name,
                          choice->output);
+    light_map_free(&inspect->light);
+    if (shown.kind == OUTPUT_ILLUMINANCE || shown.kind == OUTPUT_LUMINANCE)
+        return draw_light(inspect, renderer, shown.kind, choice);
     if (!draw_asked(renderer, &frame, &shown))
         return false;
     bool visibility = shown.kind == OUTPUT_VISIBILITY,

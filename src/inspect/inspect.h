@@ -3,6 +3,7 @@
 #ifndef INSPECT_INSPECT_H
 #define INSPECT_INSPECT_H
 
+#include "inspect/light_map.h"
 #include "inspect/lookup.h"
 #include "inspect/marks.h"
 #include "inspect/sheet.h"
@@ -16,14 +17,17 @@ struct inspect {
     struct texture canvas;
     GLuint framebuffer;
     struct marks marks;
+    struct heat_map light; /* of the canvas, if it shows light in false colours */
 };
 
 struct inspect_choice {
     const char *output; /* name; NULL: the picture itself */
     int layer;          /* layer of an output with several; -1: a sheet of all */
     int chosen;         /* highlighted VAL; -1: none */
-    int width, height;  /* space for a sheet, pixels */
-    float scale;        /* scale of the monitor */
+    enum light_unit unit;
+    float top;         /* end of the scale of light, in its unit; 0: fitted */
+    int width, height; /* space for a sheet, pixels */
+    float scale;       /* scale of the monitor */
 };
 
 bool inspect_init(struct inspect *inspect);
@@ -39,6 +43,10 @@ bool inspect_is(const struct renderer *renderer, const char *output, enum output
 /* Draws an existing output into inspect->canvas. Error: GPU memory, shader. */
 bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
                   const struct inspect_choice *choice);
+
+/* Returns the map that the canvas shows; NULL: no light in false colours. */
+const struct heat_map *inspect_light(const struct inspect *inspect,
+                                     const struct inspect_choice *choice);
 
 /* Computes the layout of the layers in the canvas. Returns false if it shows one layer. */
 bool inspect_sheet(const struct renderer *renderer, const struct inspect_choice *choice,

@@ -21,15 +21,21 @@ enum {
     TITLE_TOP = TICKS_TOP + LABEL_HEIGHT + 5,
     LEGEND_HEIGHT = TITLE_TOP + LABEL_HEIGHT + 4,
     TICK_COUNT = 5,
+    FIT_VALUES =
+        65536, /* evenly spread: to sort all of a large picture takes longer than a frame */
 };
 
 static const float pi = 3.14159265f;
 
 float heat_map_fit_top(const float *values, size_t count) {
-    float *magnitudes = mem_alloc(count, sizeof *magnitudes);
-    for (size_t i = 0; i < count; i++)
-        magnitudes[i] = fabsf(values[i]);
-    float most = quantile(magnitudes, count, 0.99), largest = magnitudes[count - 1];
+    size_t step = 1 + count / FIT_VALUES, used = 0;
+    float *magnitudes = mem_alloc(1 + count / step, sizeof *magnitudes), largest = 0;
+    for (size_t i = 0; i < count; i++) {
+        largest = fmaxf(largest, fabsf(values[i]));
+        if (i % step == 0)
+            magnitudes[used++] = fabsf(values[i]);
+    }
+    float most = quantile(magnitudes, used, 0.99);
     free(magnitudes);
     float top = most > 0 ? most : largest;
     if (!(top > 0 && isfinite(top)))
@@ -110,15 +116,24 @@ void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture) {
     draw_values(map, picture, 1);
 }
 
+void heat_map_add_scale(const struct heat_map *map, struct bitmap *picture) {
+    struct bitmap above = *picture;
+    int width = above.width > SMALLEST_WIDTH ? above.width : SMALLEST_WIDTH;
+    int dot = 1 + width / WIDTH_PER_SCALE;
+    init_picture(picture, width, above.height + LEGEND_HEIGHT * dot);
+    for (int y = 0; y < above.height; y++)
+        memcpy(picture->rgba + 4 * (size_t)y * (size_t)width,
+               above.rgba + 4 * (size_t)y * (size_t)above.width, 4 * (size_t)above.width);
+    draw_legend(map, picture, above.height, dot);
+    bitmap_free(&above);
+}
+
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture) {
     int longest = map->width > map->height ? map->width : map->height;
     int zoom = longest < SMALLEST_WIDTH ? SMALLEST_WIDTH / longest : 1;
-    int map_width = map->width * zoom, map_height = map->height * zoom;
-    int width = map_width > SMALLEST_WIDTH ? map_width : SMALLEST_WIDTH;
-    int dot = 1 + width / WIDTH_PER_SCALE;
-    init_picture(picture, width, map_height + LEGEND_HEIGHT * dot);
+    init_picture(picture, map->width * zoom, map->height * zoom);
     draw_values(map, picture, zoom);
-    draw_legend(map, picture, map_height, dot);
+    heat_map_add_scale(map, picture);
 }
 
 static bool write_values(const struct heat_map *map, const char *path) {

@@ -27,6 +27,9 @@ void heat_map_color(const struct heat_map *map, float value, unsigned char rgb8[
 /* Makes the picture of the values without scale, one pixel per value. */
 void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture);
 
+/* Adds scale and title below a picture, which grows to the width that they need. */
+void heat_map_add_scale(const struct heat_map *map, struct bitmap *picture);
+
 /* Makes the picture with scale and title. An integer factor enlarges small maps until the scale
  * fits. */
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture);

@@ -7,8 +7,8 @@
 
 enum { LABEL_HEIGHT = 7 }; /* dots */
 
-/* Returns the width in pixels. Digits, lower-case letters and ". - +" have glyphs; others are
- * blank. scale: pixels per dot. */
+/* Returns the width in pixels. Digits, letters, all drawn in lower case, and ". - + / ( )" have
+ * glyphs; others are blank. scale: pixels per dot. */
 int label_width(const char *text, int scale);
 
 /* Draws light grey text with its upper left corner at x, y, clipped to the picture. */

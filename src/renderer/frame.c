@@ -332,6 +332,8 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer},
         {"albedo", "G-buffer: the surfaces' own colours", OUTPUT_ALBEDO, &renderer->gbuffer.albedo},
         {"depth", "G-buffer: near is bright", OUTPUT_DEPTH, &renderer->gbuffer.depth},
+        {"illuminance", "light that surfaces receive, in false colours", OUTPUT_ILLUMINANCE, NULL},
+        {"luminance", "light that the camera sees, in false colours", OUTPUT_LUMINANCE, NULL},
     };
     *outputs = (struct output_list){0};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)

@@ -33,8 +33,11 @@ static const struct layer_row {
 
 enum { ROWS = sizeof layer_rows / sizeof *layer_rows };
 
-static bool has_row(const struct renderer *renderer, int row) {
+/* layers: bits 1 << LAYER_... of the wanted layers. */
+static bool has_row(const struct renderer *renderer, int row, unsigned layers) {
     int layer = layer_rows[row].layer;
+    if (!(layers >> layer & 1))
+        return false;
     switch (layer) {
     case LAYER_AIRLIGHT:
         return renderer->airlight.pass.in_scatter.id != 0;
@@ -47,7 +50,7 @@ static bool has_row(const struct renderer *renderer, int row) {
     }
 }
 
-static void read_layers(struct renderer *renderer, struct image *image,
+static void read_layers(struct renderer *renderer, unsigned layers, struct image *image,
                         const struct layer_target *target) {
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
@@ -56,7 +59,7 @@ static void read_layers(struct renderer *renderer, struct image *image,
     const struct refining *refining = &renderer->refining;
     int channel = 0;
     for (int i = 0; i < ROWS; i++) {
-        if (!has_row(renderer, i))
+        if (!has_row(renderer, i, layers))
             continue;
         int count = (int)strlen(layer_rows[i].channels);
         if (refining->count > 0)
@@ -71,12 +74,13 @@ static void read_layers(struct renderer *renderer, struct image *image,
 }
 
 /* The image is the part of the picture from x y on, of that size. */
-static bool read_part(struct renderer *renderer, int x, int y, int width, int height,
-                      struct image *image) {
+static bool read_part(struct renderer *renderer, unsigned layers, int x, int y, int width,
+                      int height, struct image *image) {
     char names[512] = "";
     int count = 0;
     for (int i = 0; i < ROWS; i++)
-        for (const char *c = layer_rows[i].channels; has_row(renderer, i) && *c; c++, count++) {
+        for (const char *c = layer_rows[i].channels; has_row(renderer, i, layers) && *c;
+             c++, count++) {
             size_t used = strlen(names);
             snprintf(names + used, sizeof names - used, "%s%s%c", used ? " " : "",
                      layer_rows[i].prefix, *c);
@@ -88,7 +92,7 @@ static bool read_part(struct renderer *renderer, int x, int y, int width, int he
     target.x = x;
     target.y = y;
     image_init(image, width, height, names);
-    read_layers(renderer, image, &target);
+    read_layers(renderer, layers, image, &target);
     layer_target_free(&target);
     if (context_check())
         return true;
@@ -96,12 +100,16 @@ static bool read_part(struct renderer *renderer, int x, int y, int width, int he
     return false;
 }
 
+bool renderer_read_some(struct renderer *renderer, unsigned layers, struct image *image) {
+    return read_part(renderer, layers, 0, 0, renderer->desc.width, renderer->desc.height, image);
+}
+
 bool renderer_read_layers(struct renderer *renderer, struct image *image) {
-    return read_part(renderer, 0, 0, renderer->desc.width, renderer->desc.height, image);
+    return renderer_read_some(renderer, ~0U, image);
 }
 
 bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image) {
-    return read_part(renderer, x, y, 1, 1, image);
+    return read_part(renderer, ~0U, x, y, 1, 1, image);
 }
 
 bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {

@@ -175,6 +175,9 @@ void renderer_compose(struct renderer *renderer, int layer);
  * the context is lost. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 
+/* Reads only the layers whose bits 1 << LAYER_... are set. */
+bool renderer_read_some(struct renderer *renderer, unsigned layers, struct image *image);
+
 /* Reads the layers of one pixel, as a 1 x 1 image. */
 bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image);
 

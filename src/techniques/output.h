@@ -23,6 +23,8 @@ enum output_kind {
     OUTPUT_AO,           /* struct drawn_output */
     OUTPUT_AIRLIGHT,     /* struct texture: radiance times irradiance_scale */
     OUTPUT_RADIANCE,     /* struct texture: radiance */
+    OUTPUT_ILLUMINANCE,  /* NULL: light that surfaces receive, as numbers */
+    OUTPUT_LUMINANCE,    /* NULL: light that the camera sees, as numbers */
     OUTPUT_VOXELS,       /* struct drawn_output: radiosity times irradiance_scale */
     OUTPUT_KINDS,        /* number of kinds; add new ones above */
 };

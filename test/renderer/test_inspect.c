@@ -1,11 +1,13 @@
 /* What there is to look at: the list of outputs, their pictures, and the pixel that is
  * clicked on. */
+#include "gltf_parts.h"
 #include "render_support.h"
 
 #include "gl/glsl.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 
+#include <cglm/cglm.h>
 static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
 
 static void open_frame(struct stage *stage, struct renderer *renderer, const char *technique,
@@ -116,6 +118,62 @@ TEST(shaders_kept) {
     glsl_set_folder(NULL);
     assert_false(changed);
     check_ok("after all", inspect_draw(&inspect, &renderer, &choice));
+    inspect_free(&inspect);
+    close_frame(&stage, &renderer);
+}
+
+/* --- light in numbers ------------------------------------------------------------------------- */
+
+/* 9 cd, .5 m before a white square, which lights nothing else: E = I h / d^3 and L = E / pi, as
+ * values and as colours of the scale. */
+TEST(light) {
+    static const struct {
+        const char *output, *title;
+        enum light_unit unit;
+        double factor;
+    } rows[] = {
+        {"illuminance", "lux", LIGHT_RADIANCE, 179},
+        {"illuminance", "W/m2", LIGHT_WATTS, 1},
+        {"luminance", "cd/m2", LIGHT_CANDELA, GLM_1_PI},
+    };
+    struct stage stage = open_stage(write_parts("square.glb", &(struct gltf_parts){0}));
+    struct emitter *lamp = stage.emitters.items;
+    struct renderer renderer;
+    struct inspect inspect;
+    OWNED(image) layers;
+    *lamp = emitter_new(EMITTER_POINT);
+    stage.emitters.count = 1; /* the file has no light, and stand-ins shine */
+    for (int c = 0; c < 3; c++) {
+        lamp->position[c] = .5F;
+        lamp->intensity[c] = 9;
+    }
+    open_renderer(&renderer, desc_of(&stage, "clustered", small, 48, 32));
+    check_ok("inspect", inspect_init(&inspect));
+    check_ok("layers", renderer_read_layers(&renderer, &layers));
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct inspect_choice choice = choice_of(rows[i].output);
+        OWNED(bitmap) picture;
+        double worst = 0;
+        choice.unit = rows[i].unit;
+        choice.top = (float)(30 * rows[i].factor);
+        check_ok(rows[i].output, inspect_draw(&inspect, &renderer, &choice));
+        const struct heat_map *light = inspect_light(&inspect, &choice);
+        texture_read_bitmap(&inspect.canvas, &picture);
+        for (int k = 0; k < 48 * 32; k++) {
+            bool is_square = image_at(&layers, k % 48, k / 48)[3] > 0;
+            float p[3];
+            unsigned char color[3];
+            pixel_position(&renderer, &layers, k % 48, k / 48, p);
+            double away = (double)glm_vec3_distance(p, lamp->position);
+            double expected = is_square ? 4.5 / pow(away, 3) : 0;
+            worst = fmax(worst, fabs((double)light->values[k] / rows[i].factor - expected));
+            heat_map_color(light, light->values[k], color);
+            assert_memory_equal(picture.rgba + 4 * k, color, 3);
+        }
+        check_at_most(light->title, worst, .1);
+        assert_string_equal(light->title, rows[i].title);
+        assert_true(light->top == choice.top);
+    }
     inspect_free(&inspect);
     close_frame(&stage, &renderer);
 }

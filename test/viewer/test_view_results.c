@@ -201,6 +201,21 @@ TEST(refused_direct) {
     finish_viewer();
 }
 
+/* Light in false colours is saved with its scale, as `probe --map` draws both. */
+TEST(light_is_saved) {
+    const char *scene = form("%s/scenes/cornell-box.glb", stage.here), *path;
+    begin_viewer(&(struct viewer_desc){.scene = scene, .width = 256, .height = 64});
+    viewer.shown.choice.output = "illuminance";
+    viewer.shown.recompose = true;
+    rest();
+    path = in_stage("light.png");
+    check_ok(path, viewer_write_picture(&viewer, path));
+    OWNED(bitmap) saved = read_bitmap(path), expected;
+    heat_map_draw(&viewer.shown.inspect.light, &expected);
+    assert_int_equal(count_differences(&saved, &expected), 0);
+    finish_viewer();
+}
+
 /* --- time ------------------------------------------------------------------------------------- */
 
 /* The timeline has its own room, below the picture; the window has grown by it. */

@@ -41,8 +41,12 @@ static void paste_beside(struct bitmap *shown, const struct bitmap *right) {
 
 static void read_shown(const struct viewer *viewer, struct bitmap *shown) {
     struct screen_pictures pictures = viewer_pictures(viewer);
+    const struct shown *all = &viewer->shown;
+    const struct heat_map *light = inspect_light(&all->inspect, &all->choice);
     struct bitmap right;
     texture_read_bitmap(pictures.left, shown);
+    if (light)
+        heat_map_add_scale(light, shown);
     if (!pictures.right)
         return;
     texture_read_bitmap(pictures.right, &right);

@@ -53,6 +53,7 @@ static void draw_output(struct viewer *viewer, float x, float y, float width) {
     struct renderer *renderer = &viewer->shown.renderer;
     struct bitmap bitmap;
     struct pick pick;
+    const struct heat_map *light = inspect_light(&viewer->shown.inspect, &viewer->shown.choice);
     float shown[3];
     texture_read_bitmap(viewer->shown.left, &bitmap);
     int column = (int)(x * (float)bitmap.width), row = (int)(y * (float)bitmap.height);
@@ -65,7 +66,10 @@ static void draw_output(struct viewer *viewer, float x, float y, float width) {
     begin_area(viewer, width);
     ui_value(viewer->shown.choice.output, "%d, %d of %d x %d", column, row, bitmap.width,
              bitmap.height);
-    ui_numbers("as shown", shown);
+    if (light)
+        ui_value(light->title, "%.4g", (double)light->values[row * light->width + column]);
+    else
+        ui_numbers("as shown", shown);
     if (is_of_picture && probe_pick(&viewer->shown.probe, renderer, x, y, &pick) && pick.present) {
         ui_numbers("position, m", pick.position);
         ui_numbers("normal", pick.normal);

@@ -190,27 +190,6 @@ static const char *right_name(const struct viewer *viewer) {
     return viewer_reference_fits(viewer) ? "reference" : "reference of another view";
 }
 
-/* What the colours of the heat map stand for, in the corner below. */
-static void draw_heat_scale(const struct viewer *viewer) {
-    enum { STEPS = 60 };
-    const struct heat_map *scale = &viewer->shown.compare.heat_scale;
-    float line = ui_line_height(), step = 8 * line / STEPS;
-    float x = (float)viewer->shown.picture.x + 4.5F * line;
-    float y = bottom_of(viewer) - 4 * line; /* above the names */
-    float lowest = scale->is_signed ? -scale->top : 0;
-    char text[32];
-    for (int i = 0; i < STEPS; i++) {
-        unsigned char c[3];
-        heat_map_color(scale, lowest + (scale->top - lowest) * ((float)i + .5F) / STEPS, c);
-        ui_draw_rectangle(x + (float)i * step, y, step + 1, 1.35F * line,
-                          UI_RGBA(c[0], c[1], c[2], 255));
-    }
-    snprintf(text, sizeof text, "%g", (double)lowest);
-    ui_draw_label(x - .3F * line, y, 1, text);
-    snprintf(text, sizeof text, "%g", (double)scale->top);
-    ui_draw_label(x + 8.3F * line, y, 0, text);
-}
-
 static const char *left_name(const struct viewer *viewer) {
     const struct compare *compare = &viewer->shown.compare;
     return compare->heat ? metrics[compare->heat_metric].name : viewer->wish.technique->name;
@@ -250,7 +229,7 @@ static void draw_split(const struct viewer *viewer) {
         return;
     ui_draw_clip((float)area->x, (float)area->y, (float)area->width, (float)area->height);
     if (compare->heat && compare->heat_map.id && !compare->only_right)
-        draw_heat_scale(viewer);
+        legend_draw_scale(viewer, &compare->heat_scale, "", bottom_of(viewer) - 4 * line);
     if (compare->only_right) {
         ui_draw_label((float)(area->x + area->width) - line, y, 1, right_name(viewer));
     } else if (look_is_beside(viewer)) {

@@ -50,6 +50,28 @@ static void draw_layer_choice(struct viewer *viewer) {
     }
 }
 
+/* Unit and scale of light in false colours. */
+static void draw_light_scale(struct viewer *viewer) {
+    struct inspect_choice *choice = &viewer->shown.choice;
+    int unit = (int)choice->unit;
+    struct ui_row unit_row = {.name = "unit",
+                              .help =
+                                  "by the lumens that one watt of the scene stands for: 1 where "
+                                  "lights are in candela, as in glTF and IES files",
+                              .differs = unit != LIGHT_CANDELA},
+                  top_row = {.name = "scale to",
+                             .help = "the brightest colour, in the unit; 0: by the picture",
+                             .least = "fitted",
+                             .differs = choice->top > 0};
+    if (!inspect_light(&viewer->shown.inspect, choice))
+        return;
+    enum ui_result of_unit = ui_choice(&unit_row, &unit, light_unit_names, LIGHT_UNITS);
+    choice->unit = of_unit == UI_RESET ? LIGHT_CANDELA : (enum light_unit)unit;
+    enum ui_result of_top = ui_float(&top_row, &choice->top, 0, 1e6F);
+    choice->top = of_top == UI_RESET ? 0 : choice->top;
+    viewer->shown.recompose |= of_unit || of_top;
+}
+
 static bool draw_exposure(struct viewer *viewer, struct picture_settings *picture) {
     struct ui_row row = {.name = "exposure, EV",
                          .help = "stops: drag sideways, .02 a pixel, ten times as fast with Shift; "
@@ -103,6 +125,7 @@ static void draw_picture(struct viewer *viewer) {
     ui_space();
     draw_output_choice(viewer);
     draw_layer_choice(viewer);
+    draw_light_scale(viewer);
     draw_tone(viewer);
 }
 

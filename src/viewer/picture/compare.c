@@ -111,12 +111,7 @@ static bool draw_heat_map(struct compare *compare, int width, int height, const 
     map.values = NULL;
     compare->heat_scale = map;
     texture_free(&compare->heat_map);
-    bool ok = texture_init(&compare->heat_map, &(struct texture_desc){.label = "heat map",
-                                                                      .format = GL_RGBA8,
-                                                                      .width = width,
-                                                                      .height = height});
-    if (ok)
-        texture_write_bitmap(&compare->heat_map, &picture);
+    bool ok = texture_init_bitmap(&compare->heat_map, "heat map", &picture);
     bitmap_free(&picture);
     return ok;
 }

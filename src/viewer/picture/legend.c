@@ -107,6 +107,25 @@ static void draw_meanings(const struct viewer *viewer) {
     }
 }
 
+void legend_draw_scale(const struct viewer *viewer, const struct heat_map *scale, const char *unit,
+                       float y) {
+    enum { STEPS = 60 };
+    float line = ui_line_height(), step = 8 * line / STEPS;
+    float x = fmaxf((float)viewer->shown.picture.x, 0) + 4.5F * line;
+    float lowest = scale->is_signed ? -scale->top : 0;
+    char text[32];
+    for (int i = 0; i < STEPS; i++) {
+        unsigned char c[3];
+        heat_map_color(scale, lowest + (scale->top - lowest) * ((float)i + .5F) / STEPS, c);
+        ui_draw_rectangle(x + (float)i * step, y, step + 1, 1.35F * line,
+                          UI_RGBA(c[0], c[1], c[2], 255));
+    }
+    snprintf(text, sizeof text, "%g", (double)lowest);
+    ui_draw_label(x - .3F * line, y, 1, text);
+    snprintf(text, sizeof text, *unit ? "%g %s" : "%g", (double)scale->top, unit);
+    ui_draw_label(x + 8.3F * line, y, 0, text);
+}
+
 void legend_draw(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     const struct inspect_choice *choice = &viewer->shown.choice;
@@ -120,5 +139,9 @@ void legend_draw(const struct viewer *viewer) {
         draw_cells(viewer, &sheet, is_val);
     if (is_val)
         draw_meanings(viewer);
+    const struct heat_map *light = inspect_light(&viewer->shown.inspect, choice);
+    if (light)
+        legend_draw_scale(viewer, light, light->title,
+                          (float)(area->y + area->height) - 2 * ui_line_height());
     ui_draw_unclip();
 }
