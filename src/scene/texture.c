@@ -1,6 +1,7 @@
 #include "scene/texture.h"
 
 #include "base/memory.h"
+#include "base/parallel.h"
 
 #include <math.h>
 
@@ -75,35 +76,53 @@ static float encode_srgb(float value) {
     return value <= 0.0031308F ? value * 12.92F : 1.055F * powf(value, 1 / 2.4F) - 0.055F;
 }
 
-/* The mean of as many lookups as there are texels within one of the smaller picture. */
-static vec4s mean_within(const struct scene_texture *texture, const float srgb_to_linear[256],
-                         const struct bitmap *to, int x, int y) {
-    int across = (texture->bitmap.width + to->width - 1) / to->width;
-    int down = (texture->bitmap.height + to->height - 1) / to->height;
+struct shrinking {
+    const struct scene_texture *from;
+    struct bitmap to;
+    float srgb_to_linear[256];
+};
+
+/* The first of `from` texels that texel `at` of `to` covers. */
+static int first_covered(int at, int from, int to) {
+    return (int)((int64_t)at * from / to);
+}
+
+static vec4s mean_covered(const struct shrinking *shrinking, int x, int y) {
+    const struct bitmap *from = &shrinking->from->bitmap, *to = &shrinking->to;
+    int left = first_covered(x, from->width, to->width);
+    int right = first_covered(x + 1, from->width, to->width);
+    int top = first_covered(y, from->height, to->height);
+    int bottom = first_covered(y + 1, from->height, to->height);
     vec4s sum = {{0, 0, 0, 0}};
-    for (int i = 0; i < across * down; i++) {
-        vec2s uv = {{((float)x + ((float)(i % across) + .5F) / (float)across) / (float)to->width,
-                     ((float)y + ((float)(i / across) + .5F) / (float)down) / (float)to->height}};
-        sum = glms_vec4_add(sum, texture_lookup(texture, srgb_to_linear, uv));
+    for (int j = top; j < bottom; j++)
+        for (int i = left; i < right; i++)
+            sum = glms_vec4_add(sum, texel(shrinking->from, shrinking->srgb_to_linear, i, j));
+    return glms_vec4_scale(sum, 1 / (float)((right - left) * (bottom - top)));
+}
+
+static void shrink_row(void *context, size_t row) {
+    const struct shrinking *shrinking = context;
+    const struct bitmap *to = &shrinking->to;
+    unsigned char *out = to->rgba + 4 * row * (size_t)to->width;
+    for (int x = 0; x < to->width; x++, out += 4) {
+        vec4s mean = mean_covered(shrinking, x, (int)row);
+        for (int c = 0; c < 4; c++)
+            out[c] = (unsigned char)lrintf(
+                255 * (shrinking->from->linear || c == 3 ? mean.raw[c] : encode_srgb(mean.raw[c])));
     }
-    return glms_vec4_scale(sum, 1 / (float)(across * down));
 }
 
 void texture_shrink(struct scene_texture *texture, int most) {
-    struct bitmap *from = &texture->bitmap, to = {from->width, from->height, NULL};
-    float srgb_to_linear[256];
-    to.width = to.width < most ? to.width : most;
-    to.height = to.height < most ? to.height : most;
-    to.rgba = mem_alloc((size_t)to.width * (size_t)to.height, 4);
-    texture_decode_table(srgb_to_linear);
-    unsigned char *out = to.rgba;
-    for (int y = 0; y < to.height; y++)
-        for (int x = 0; x < to.width; x++, out += 4) {
-            vec4s mean = mean_within(texture, srgb_to_linear, &to, x, y);
-            for (int c = 0; c < 4; c++)
-                out[c] = (unsigned char)lrintf(
-                    255 * (texture->linear || c == 3 ? mean.raw[c] : encode_srgb(mean.raw[c])));
-        }
+    struct bitmap *from = &texture->bitmap;
+    struct shrinking shrinking = {.from = texture, .to = {from->width, from->height, NULL}};
+    struct bitmap *to = &shrinking.to;
+    if (from->width <= most && from->height <= most)
+        return;
+    to->width = to->width < most ? to->width : most;
+    to->height = to->height < most ? to->height : most;
+    to->rgba = mem_alloc((size_t)to->width * (size_t)to->height, 4);
+    texture_decode_table(shrinking.srgb_to_linear);
+    parallel_for((size_t)to->height, 0, shrink_row, &shrinking);
     bitmap_free(from);
-    *from = to;
+    *from = *to;
 }

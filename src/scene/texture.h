@@ -16,8 +16,8 @@ vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_li
 /* Every driver of OpenGL 4.5 takes textures up to this size. */
 enum { TEXTURE_SIDE_MAX = 16384 };
 
-/* Shrinks the texture to at most `most` texels a side. Each texel is the mean of the texels it
- * covers. */
+/* Shrinks the texture to at most `most` texels a side, if it is larger. Each texel is the mean of
+ * the texels it covers. */
 void texture_shrink(struct scene_texture *texture, int most);
 
 #endif

@@ -395,6 +395,39 @@ TEST(high_picture) {
     free_pictures(&pictures);
 }
 
+/* A GPU without room for a texture has a smaller one. */
+TEST(short_gpu) {
+    enum { SIDE = 2048 };
+    static unsigned char rgba[SIDE * SIDE][4];
+    struct pictures pictures;
+    const char *path = write_square(GLOW "\"index\": 1}}");
+    memset(rgba, 255, sizeof rgba / 2);
+    write_tiny_png(scratch("1.png"), rgba[0], SIDE, SIDE);
+    size_t memory = gl.memory;
+    gl.memory = 17 << 20;
+    hear_notes();
+    make_pictures(path, &pictures);
+    end_notes();
+    gl.memory = memory;
+    check_quarters("half", &pictures, "R", (double[]){1.5, 1.5, .5, .5});
+    assert_non_null(strstr(notes, "textures are scaled down, some to 1024 texels a side"));
+    free_pictures(&pictures);
+}
+
+/* A texel is the mean of those that it covers, of light and not of numbers. */
+TEST(shrink) {
+    static const unsigned char from[2][4] = {{0, 0, 0, 0}, {255, 255, 255, 255}};
+    static const unsigned char to[2][4] = {{188, 188, 188, 128}, {128, 128, 128, 128}};
+    for (int linear = 0; linear < 2; linear++) {
+        struct scene_texture texture = {.bitmap = {2, 1, mem_copy(from, 2, 4)},
+                                        .linear = linear > 0};
+        texture_shrink(&texture, 1);
+        assert_int_equal(texture.bitmap.width, 1);
+        assert_memory_equal(texture.bitmap.rgba, to[linear], 4);
+        bitmap_free(&texture.bitmap);
+    }
+}
+
 /* --- memory ----------------------------------------------------------------------------------- */
 
 /* Vertices have as many coordinates as the material that has most; another mapping is another

@@ -371,6 +371,7 @@ bool load_materials(Loader &loader) {
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
     material_init(&scene->materials[from.size()], "default");
+    note_texture_sizes(loader);
     return true;
 }
 

@@ -77,6 +77,9 @@ const size_t max_elements = size_t(1) << 27;
 const uint64_t least_memory = uint64_t(2) << 30;
 const uint64_t memory_of_file = 64; /* times its size */
 
+/* All pictures before they are scaled down: 128 of 8192x8192. They are decoded one by one. */
+const uint64_t most_picture_memory = uint64_t(80) << 30;
+
 /* What lies farther, metres, no camera sees; a zfar beyond it is none. */
 const double camera_depth_most = 1e9;
 
@@ -114,6 +117,9 @@ struct Loader {
     std::vector<bool> is_absent;             /* of each buffer: its views are unpacked here */
     std::vector<std::string> lacks;          /* what the scene is shown without, in words */
     uint64_t memory = 0;                     /* bytes that the scene may still take */
+    uint64_t texture_memory = 0;             /* bytes of its textures, no part of `memory` */
+    uint64_t picture_memory = most_picture_memory; /* bytes that pictures may still take */
+    int texture_side = 0; /* texels, to which larger textures are scaled down; 0: none are */
 };
 
 /* One format; the second name has a newer version besides. */
@@ -172,6 +178,9 @@ bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, st
 /* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture
  * that is missing or broken is replaced. */
 bool load_texture(Loader &loader, int index, bool linear, int &out);
+
+/* Notes the size that textures were scaled down to, if they were. */
+void note_texture_sizes(const Loader &loader);
 
 /* The picture of a texture, or -1. */
 int texture_source(const tinygltf::Texture &texture);

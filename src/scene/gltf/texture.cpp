@@ -26,7 +26,12 @@ Outcome decode(Loader &loader, const void *bytes, size_t size, struct bitmap &bi
                         : bitmap_measure(bytes, size, &memory);
     if (!is_known)
         return Outcome::Broken;
-    if (!spend(loader, memory, 1) || !mem_check(memory))
+    if (memory > loader.picture_memory) {
+        error_set("all pictures take more than %.0f GiB", double(most_picture_memory) / (1 << 30));
+        return Outcome::Refused;
+    }
+    loader.picture_memory -= memory;
+    if (!mem_check(memory))
         return Outcome::Refused;
     return bitmap_decode(&bitmap, bytes, size) ? Outcome::Decoded : Outcome::Broken;
 }
@@ -131,6 +136,47 @@ void limit_size(const Loader &loader, const std::string &object, struct scene_te
              object.c_str(), before.width, before.height, made.bitmap.width, made.bitmap.height);
 }
 
+/* Bytes of a texel: of the scene's copy and a GPU's with MIP maps; the same where software OpenGL
+ * has half floats, with some to spare. */
+const uint64_t texel_bytes = 10, most_texel_bytes = 16;
+
+struct Texels {
+    uint64_t count = 0;
+    int side = 0; /* the longest of a texture */
+};
+
+Texels texels_of(const struct scene_texture *textures, int count) {
+    Texels texels;
+    for (int i = 0; i < count; i++) {
+        const struct bitmap &bitmap = textures[i].bitmap;
+        texels.count += uint64_t(bitmap.width) * uint64_t(bitmap.height);
+        texels.side = std::max({texels.side, bitmap.width, bitmap.height});
+    }
+    return texels;
+}
+
+/* Halves the sides of the largest textures until all fit into the memory that is free and that the
+ * scene may take. */
+bool make_room(Loader &loader, int count) {
+    struct scene_texture *textures = loader.scene->textures;
+    uint64_t whole = loader.memory + loader.texture_memory;
+    uint64_t room = std::min(whole / texel_bytes, mem_free_bytes() / most_texel_bytes);
+    Texels texels = texels_of(textures, count);
+    if (texels.count > room)
+        room /= 2; /* meshes take memory, too */
+    while (texels.count > room) {
+        if (texels.side <= 1)
+            return error_set("%d textures of one texel take too much memory", count);
+        loader.texture_side = (texels.side + 1) / 2;
+        for (int i = 0; i < count; i++)
+            texture_shrink(&textures[i], loader.texture_side);
+        texels = texels_of(textures, count);
+    }
+    loader.texture_memory = texels.count * texel_bytes;
+    loader.memory = whole - loader.texture_memory;
+    return true;
+}
+
 /* The picture, or its stand-in. */
 bool load_picture(Loader &loader, int index, int source, struct scene_texture &made) {
     const std::string object =
@@ -147,8 +193,7 @@ bool load_picture(Loader &loader, int index, int source, struct scene_texture &m
         return error_prefix("%s: the required extension '%s'", object.c_str(), format);
     if (!mend(loader,
               "pictures that are missing or broken are replaced, colours by a magenta checker",
-              object + ": " + error_get()) ||
-        !spend(loader, stand_in_size * stand_in_size, 4))
+              object + ": " + error_get()))
         return false;
     loader.replaced_images.insert(source);
     if (loader.texture_uses.empty())
@@ -168,6 +213,13 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap) {
 int texture_source(const tinygltf::Texture &texture) {
     const char *format = find_format(texture);
     return format ? texture.extensions.at(format).Get("source").GetNumberAsInt() : texture.source;
+}
+
+void note_texture_sizes(const Loader &loader) {
+    if (loader.texture_side > 0)
+        log_note("%s: textures are scaled down to at most %d texels a side: all of them take too "
+                 "much memory",
+                 loader.scene->path, loader.texture_side);
 }
 
 /* A picture used with one sampler is decoded once, or twice where it holds colours here and numbers
@@ -196,7 +248,7 @@ bool load_texture(Loader &loader, int index, bool linear, int &out) {
     made.wrap_v = wrap_mode(sampler.wrapT);
     made.linear = linear;
     made.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-    if (!load_picture(loader, index, source, made))
+    if (!load_picture(loader, index, source, made) || !make_room(loader, out + 1))
         return false;
     keys.push_back(key);
     loader.scene->texture_count++;

@@ -1,5 +1,6 @@
 #include "scene/gpu/scene_gpu.h"
 
+#include "base/log.h"
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/vertex_array.h"
@@ -176,12 +177,36 @@ static bool make_blank(struct scene_gpu *gpu) {
     return true;
 }
 
+/* Uploads a copy with half the sides, and so on, until a GPU has room. */
+static bool upload_smaller(struct texture *texture, const struct scene_texture *source,
+                           float cutoff, int *side) {
+    const struct bitmap *bitmap = &source->bitmap;
+    struct scene_texture copy = *source;
+    bool ok = false;
+    int most = bitmap->width > bitmap->height ? bitmap->width : bitmap->height;
+    copy.bitmap.rgba = mem_copy(bitmap->rgba, (size_t)bitmap->width * (size_t)bitmap->height, 4);
+    while (!ok && most > 1) {
+        most = (most + 1) / 2;
+        texture_shrink(&copy, most);
+        ok = upload_texture(texture, &copy, cutoff);
+    }
+    bitmap_free(&copy.bitmap);
+    *side = most < *side ? most : *side;
+    return ok;
+}
+
 static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
+    int side = TEXTURE_SIDE_MAX;
     gpu->textures = mem_alloc((size_t)scene->texture_count, sizeof *gpu->textures);
     gpu->texture_count = scene->texture_count;
-    for (int i = 0; i < scene->texture_count; i++)
-        if (!upload_texture(&gpu->textures[i], &scene->textures[i], cutoff_of(scene, i)))
+    for (int i = 0; i < scene->texture_count; i++) {
+        float cutoff = cutoff_of(scene, i);
+        if (!upload_texture(&gpu->textures[i], &scene->textures[i], cutoff) &&
+            !upload_smaller(&gpu->textures[i], &scene->textures[i], cutoff, &side))
             return false;
+    }
+    if (side < TEXTURE_SIDE_MAX)
+        log_note("textures are scaled down, some to %d texels a side: GPU memory is short", side);
     return true;
 }
 
