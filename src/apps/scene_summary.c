@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "apps/scene_summary.h"
 
 #include "apps/facts.h"
@@ -13,6 +14,7 @@
 
 #include <cglm/util.h>
 #include <math.h>
+#include <sys/stat.h>
 
 static double degrees(float radians) {
     return (double)glm_deg(radians);
@@ -335,6 +337,34 @@ static void print_origin(struct json *json, const double origin[3]) {
     json_close(json, "]");
 }
 
+static double file_bytes(const struct scene *scene) {
+    struct stat info;
+    double bytes = stat(scene->path, &info) == 0 ? (double)info.st_size : 0;
+    for (int i = 0; i < scene->file_count; i++)
+        bytes += stat(scene->files[i], &info) == 0 ? (double)info.st_size : 0;
+    return bytes;
+}
+
+/* Bounds the peak memory of a frame by software OpenGL, which keeps textures and buffers there. A
+ * thing's bytes bound what was measured (docs/notes/many-lights.md): nodes and lights are objects
+ * of JSON while they are read, and triangles lie in a BVH while casters are made. */
+static void print_memory(struct json *json, const struct scene *scene,
+                         const struct geometry *geometry) {
+    const double mib = 1 << 20, program = 256, megapixel = 240;
+    const double of_item = 6e3, of_vertex = 120, of_triangle = 700, of_texel = 20;
+    double texels = 0;
+    for (int i = 0; i < scene->texture_count; i++)
+        texels += (double)scene->textures[i].bitmap.width * scene->textures[i].bitmap.height;
+    double bytes = 3 * file_bytes(scene) + of_item * (scene->node_count + scene->light_count) / 2 +
+                   of_vertex * geometry->vertex_count +
+                   of_triangle * geometry_triangle_count(geometry) + of_texel * texels;
+    json_open(json, "memory", "{");
+    fact_number(json, "frame", "memory     at most %.0f MiB for a frame",
+                ceil(program + bytes / mib));
+    fact_number(json, "megapixel", ", and %.0f MiB for each million pixels\n", megapixel);
+    json_close(json, "}");
+}
+
 bool scene_summary_print(struct json *json, const char *path, const struct scene_choice *choice) {
     struct scene scene;
     struct geometry geometry;
@@ -351,6 +381,7 @@ bool scene_summary_print(struct json *json, const char *path, const struct scene
         print_materials(json, &scene);
         print_placed(json, &scene);
         print_clips(json, &scene);
+        print_memory(json, &scene, &geometry);
     }
     geometry_free(&geometry);
     scene_free(&scene);

@@ -239,6 +239,24 @@ static void write_case(const struct hostile *hostile, const char *path, size_t *
     free(text);
 }
 
+static void read_output(char *output, size_t size) {
+    FILE *file = fopen(scratch("hostile.txt"), "r");
+    output[fread(output, 1, size - 1, file)] = '\0';
+    fclose(file);
+}
+
+/* A frame takes no more memory than `info` says. */
+static void check_foretold(const char *path, double mib) {
+    char output[1 << 16];
+    double most;
+    const char *command = form("exec %s info %s", binary_path(), path), *said;
+    assert_int_equal(run(command, scratch("hostile.txt")).status, 0);
+    read_output(output, sizeof output);
+    said = strstr(output, "memory     at most ");
+    assert_true(said && sscanf(said, "memory at most %lf MiB for a frame", &most) == 1);
+    check_at_most("MiB of a frame", mib, most);
+}
+
 TEST(cost) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct hostile *hostile = &cases[i];
@@ -252,9 +270,7 @@ TEST(cost) {
         in_scratch(arguments, sizeof arguments, hostile->arguments);
         const char *command = form("exec %s %s%s", binary_path(), arguments, path);
         struct cost cost = run(command, scratch("hostile.txt"));
-        FILE *file = fopen(scratch("hostile.txt"), "r");
-        output[fread(output, 1, sizeof output - 1, file)] = '\0';
-        fclose(file);
+        read_output(output, sizeof output);
         printf("    %-10s %5.2f MiB -> %d, %5.2f s of the CPU\n", hostile->name,
                (double)size / (1 << 20), cost.status, cost.cpu);
         if (cost.status)
@@ -265,6 +281,8 @@ TEST(cost) {
 #ifndef __SANITIZE_ADDRESS__
         /* What --help says of a scene, and the program with its drivers. */
         check_at_most("MiB of memory", cost.mib, 2048 + 64 * (double)size / (1 << 20) + 512);
+        if (cost.status == 0 && strncmp(hostile->arguments, "render", 6) == 0)
+            check_foretold(path, cost.mib);
 #endif
     }
 }
