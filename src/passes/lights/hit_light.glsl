@@ -51,7 +51,7 @@ light sampled_light_middle(int i) {
 }
 
 int sample_light(surface end, float random, out float probability) {
-    return resample_light(end.position, end.normal, vec2(random, fract(random * SAMPLE_TURNS)), probability);
+    return light_tree_sample(end.position, end.normal, random, probability);
 }
 #else
 bool is_many(light l) {

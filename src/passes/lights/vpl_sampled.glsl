@@ -3,12 +3,11 @@
 #include "lib/light_tree.glsl"
 #include "lib/random.glsl"
 #include "lib/vpl_rows.glsl"
-#include "lib/weighted_pick.glsl"
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/light_end.glsl"
 #include "passes/lights/vpl_lobe.glsl"
 
-const int AREA_SAMPLES = 4, LIGHT_TRIES = 4;
+const int AREA_SAMPLES = 4;
 
 // Irradiance by one light at a point that nothing hides, W/m2.
 float unhidden_irradiance(light l, vec3 position, vec3 normal) {
@@ -29,26 +28,6 @@ float all_unhidden_irradiance(vec3 position, vec3 normal) {
         sum += i >= 0 ? unhidden_irradiance(l, position, normal) / probability : 0.0;
     }
     return sum / float(AREA_SAMPLES);
-}
-
-// One of some lights of the tree, chosen by what it gives to a point that nothing hides, and the probability that this makes
-// [Talbot et al. 2005]; -1: none.
-int resample_light(vec3 position, vec3 normal, vec2 random, out float probability) {
-    int chosen = -1;
-    float sum = 0.0, taken = 0.0;
-    for (int k = 0; k < LIGHT_TRIES; k++) {
-        float number = (float(k) + random.x) / float(LIGHT_TRIES), own;
-        int i = light_tree_sample(position, normal, number, own);
-        light l = sampled_light_piece(max(i, 0), vec2(0.5));
-        float most = i >= 0 ? unhidden_irradiance(l, position, normal) : 0.0;
-        sum += most > 0.0 ? most / own : 0.0;
-        if (most > 0.0 && weighted_pick(most / own, sum, random.y)) {
-            chosen = i;
-            taken = most;
-        }
-    }
-    probability = taken * float(LIGHT_TRIES) / max(sum, 1e-30);
-    return chosen;
 }
 
 // The area that a VPL of light `l` stands for there, by flux alone. A light that is near is not missed by chance: few VPLs
