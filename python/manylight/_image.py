@@ -10,8 +10,9 @@ from ._call import Descriptor, call, described, encode, made, real_array
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 
-#: Layers of surfaces at pixel centres, of frames and of references, that are made where `layers` names them.
-SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous")
+#: Layers of surfaces, of frames and of references, that are made where `layers` names them.
+SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous",
+                  "crypto.node", "crypto.mesh", "crypto.material")
 
 Layers = Dict[str, np.ndarray]
 Picture = Union[Mapping[str, np.ndarray], np.ndarray]
@@ -46,6 +47,12 @@ def read_layer(image: Any, layer: str) -> np.ndarray:
     return array.astype(np.uint32) if layer.startswith("id.") else array
 
 
+def read_mattes(image: Any, layer: str) -> np.ndarray:
+    """Copies the ranks of a Cryptomatte layer: (height, width, 6, 2), id and coverage."""
+    ranks = [read_layer(image, f"{layer}0{i}") for i in range(3)]
+    return np.concatenate(ranks, 2).reshape(*ranks[0].shape[:2], 6, 2)
+
+
 def listed(layers: "str | Iterable[str] | None") -> Optional[List[str]]:
     """Names of layers, of which one may stand alone; None: all."""
     if layers is None or isinstance(layers, str):
@@ -61,7 +68,8 @@ def to_layers(image: Any, layers: "str | Iterable[str] | None" = None) -> Layers
     """Some layers of an image, or all."""
     wanted = listed(layers)
     wanted = layer_names(image) if wanted is None else wanted
-    return {layer: read_layer(image, layer) for layer in wanted}
+    return {layer: read_mattes(image, layer) if layer in SURFACE_LAYERS[-3:] else read_layer(image, layer)
+            for layer in wanted}
 
 
 def channels_of(layer: str, count: int) -> List[str]:

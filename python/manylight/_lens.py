@@ -100,8 +100,9 @@ def _blend(layers: Dict[str, np.ndarray], face: Face) -> Dict[str, np.ndarray]:
 def resampled(camera: Camera, size: Tuple[int, int], wanted: Optional[List[str]],
               draw: Callable[[Camera, Tuple[int, int], List[str]], Dict[str, np.ndarray]]) -> Dict[str, np.ndarray]:
     """The layers of a camera's picture. `draw` draws those of a pinhole's."""
-    if wanted and any(name.startswith("motion.") for name in wanted):
-        raise ArgumentError("motion: frames have it for plain pinholes; reference has it for all cameras")
+    for name in wanted or ():
+        if name.startswith(("motion.", "crypto.")):
+            raise ArgumentError(f"{name}: frames have it for plain pinholes; reference has it for all cameras")
     needed = ["Z", "id.node", "id.material", "position"]
     base = ["beauty", "Z", "direct", "indirect", "albedo", "normal"]
     out: Dict[str, np.ndarray] = {}

@@ -82,7 +82,8 @@ static const struct option options[] = {
     {"aov", 0, OPTION_TEXT, offsetof(struct values, tracer.surface_layers),
      .value_name = "NAME[,NAME ...]",
      .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
-             "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away)"},
+             "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away),\n"
+             "and Cryptomatte of the samples: crypto.node, crypto.mesh, crypto.material"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -171,8 +172,8 @@ static bool check_values(struct values *values) {
         return error_set("--spp and --noise exclude each other");
     if (!check_use(values) || !check_light_paths(values))
         return false;
-    if (!aov_check_surfaces(values->tracer.surface_layers) || !parse_ao(values) ||
-        !background_parse(&background, values->background) ||
+    if (!aov_check_surfaces(values->tracer.surface_layers, values->tracer.centers) ||
+        !parse_ao(values) || !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
     if (values->threads > 0)

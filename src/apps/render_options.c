@@ -41,7 +41,8 @@ static const struct option options[] = {
          "(before the blur), vpl (flux of VPLs), and with path=maps val (colour of the strongest\n"
          "VAL) and visibility (fraction of their light that arrives); with all techniques ao\n"
          "(ambient occlusion, by volume.*), id.node, id.mesh, id.material, position, depth, uv,\n"
-         "motion.next and motion.previous (pixels to the frames 1 / fps away)",
+         "motion.next and motion.previous (pixels to the frames 1 / fps away), and Cryptomatte by\n"
+         "crypto.node, crypto.mesh, crypto.material",
      .rare = true},
     STAGE_OPTIONS(struct render_values, stage),
     SCENE_OPTION(struct render_values, stage.choice),

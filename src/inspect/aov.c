@@ -210,14 +210,23 @@ static bool refuse(const struct renderer *renderer, const struct output_list *ou
                      renderer->technique->name, name, names.text);
 }
 
-bool aov_check_surfaces(const char *names) {
+/* why: what leaves a pixel one sample; NULL: it has several. */
+static bool check_matte(const char *name, const char *why) {
+    return !why || strncmp(name, "crypto.", 7) != 0 ||
+           error_set("aov: %s is of several samples of a pixel, and %s has one", name, why);
+}
+
+bool aov_check_surfaces(const char *names, bool centers) {
     struct names known = {0};
     char name[64];
     add_surface_names(&known);
-    while (next_name(&names, name, sizeof name))
+    while (next_name(&names, name, sizeof name)) {
         if (surface_layer_find(name) < 0)
             return error_set("aov: no layer of surfaces is called '%s' (there are %s)", name,
                              known.text);
+        if (!check_matte(name, centers ? "--centers" : NULL))
+            return false;
+    }
     return true;
 }
 
@@ -235,6 +244,8 @@ bool aov_check(const struct renderer *renderer, const char *names) {
     renderer_outputs(renderer, &outputs);
     while (next_name(&names, name, sizeof name)) {
         const struct output *output = output_find(&outputs, name);
+        if (!check_matte(name, renderer->antialias.samples == 1 ? "picture.samples=1" : NULL))
+            return false;
         if (surface_layer_find(name) >= 0)
             continue;
         if (!output || !kind_of(output))
@@ -258,16 +269,25 @@ static bool append(struct fill *fill, const struct output *output) {
     return kind->fill(fill, output->source);
 }
 
+static uint32_t *look(void *user, int i) {
+    const struct fill *fill = user;
+    const struct renderer_desc *desc = &fill->renderer->desc;
+    float place[2];
+    antialias_pass_place(&fill->renderer->antialias, i, place);
+    return triangles_read(fill->frame, &desc->camera, desc->width, desc->height, place);
+}
+
 static bool append_surface(struct fill *fill, int layer, const struct surface_motion *motion,
                            uint32_t **triangles) {
     const struct renderer_desc *desc = &fill->renderer->desc;
     if (!*triangles)
-        *triangles = triangles_read(fill->frame, &desc->camera, desc->width, desc->height);
-    if (*triangles)
-        surface_layer_append(
-            &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles, motion},
-            layer, fill->image);
-    return *triangles;
+        *triangles =
+            triangles_read(fill->frame, &desc->camera, desc->width, desc->height, (float[2]){0});
+    return *triangles &&
+           surface_layer_append(
+               &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles,
+                                      motion, fill->renderer->antialias.samples, look, fill},
+               layer, fill->image);
 }
 
 bool aov_append(struct renderer *renderer, const char *names, const struct surface_motion *motion,

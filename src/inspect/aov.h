@@ -13,9 +13,9 @@ bool aov_check(const struct renderer *renderer, const char *names);
 /* Returns true if some name is not a layer of surfaces: outputs of a technique are of one pass. */
 bool aov_needs_pass(const char *names);
 
-/* Checks that all names are layers of surfaces, which path tracing has too. Error: names the
- * first that is not. */
-bool aov_check_surfaces(const char *names);
+/* Checks that all names are layers of surfaces, which path tracing has too. centers: a pixel has
+ * one sample, which mattes refuse. Error: names the first that is not. */
+bool aov_check_surfaces(const char *names, bool centers);
 
 /* Appends the layers, NAME.R and so on, to those of the last frame (renderer_read_layers). Repeated
  * names count once. motion: for layers of motion, else NULL. Error: out of GPU memory, or that of

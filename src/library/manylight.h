@@ -425,7 +425,8 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
  * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
  * none. Outputs of the technique, "val,visibility", are for single passes, not means.
  *
- * Layers of surfaces show pixel centres, without mixing. They are 0 where nothing is seen:
+ * Layers of surfaces show pixel centres, without mixing; crypto.node, crypto.mesh, crypto.material
+ * are Cryptomatte, of the samples of antialiasing. They are 0 where nothing is seen:
  *   id.node, id.mesh, id.material   from 1 on, for manylight_scene_name
  *   position                        metres, as of the camera
  *   depth                           along the ray, metres

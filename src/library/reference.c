@@ -55,7 +55,7 @@ static bool check(struct tracing *tracing) {
     desc->smooth = desc->smooth || desc->light_paths > 0;
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
-    if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs))
+    if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs, desc->centers != 0))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     if (!find_materials(tracing))
         return false;

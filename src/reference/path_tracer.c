@@ -15,6 +15,7 @@
 #include "scene/medium.h"
 
 #include "base/error.h"
+#include "base/halton.h"
 #include "base/memory.h"
 
 #include <assert.h>
@@ -43,7 +44,6 @@ struct tracer {
     struct film_specular *specular; /* where there is some */
     struct ao_sums *ao;             /* where it is wanted */
     struct film_airlight *airlight; /* where there is a medium */
-    uint32_t *triangles;            /* where layers of surfaces are wanted */
     struct image *image;            /* once developed */
     uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
@@ -427,9 +427,6 @@ static void develop_row(void *context, int row) {
         float at[2] = {(float)pixel.x + 0.5f, (float)pixel.y + 0.5f};
         if (primary_hit(&tracer->primary, at[0], at[1], 0, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
-        if (tracer->triangles)
-            tracer->triangles[index_of(tracer, x, row)] =
-                primary_triangle(&tracer->primary, at[0], at[1]);
     }
 }
 
@@ -444,15 +441,27 @@ static bool develop(struct tracer *tracer) {
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
 
-static void append_surfaces(const struct tracer *tracer) {
+/* Places of a Hammersley set, as many as samples, but no more than tell a few thousandths. */
+static int matte_samples(const struct tracer *tracer) {
+    return tracer->done < 256 ? (int)tracer->done : 256;
+}
+
+static uint32_t *look(void *user, int i) {
+    const struct tracer *tracer = user;
+    const float place[2] = {((float)i + .5F) / (float)matte_samples(tracer),
+                            (float)radical_inverse(2, (uint32_t)i)};
+    return primary_triangles(&tracer->primary, place, tracer->desc.threads);
+}
+
+static void append_surfaces(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
-    const struct surface_view view = {desc->scene, desc->geometry, desc->camera, tracer->triangles,
-                                      desc->motion};
-    char *names = desc->surface_layers ? mem_strdup(desc->surface_layers) : NULL, *next = NULL;
-    for (char *name = names ? strtok_r(names, ",", &next) : NULL; name;
-         name = strtok_r(NULL, ",", &next))
+    uint32_t *centers = primary_triangles(&tracer->primary, (float[]){.5F, .5F}, desc->threads);
+    const struct surface_view view = {desc->scene,  desc->geometry,        desc->camera, centers,
+                                      desc->motion, matte_samples(tracer), look,         tracer};
+    char *names = mem_strdup(desc->surface_layers), *next = NULL;
+    for (char *name = strtok_r(names, ",", &next); name; name = strtok_r(NULL, ",", &next))
         surface_layer_append(&view, surface_layer_find(name), tracer->image);
-    free(names);
+    mem_free(names, centers);
 }
 
 /* To who watches. */
@@ -488,7 +497,7 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     if (resolved.every == 0)
         resolved.every = 1;
     assert(resolved.width >= resolved.every && resolved.height >= resolved.every &&
-           (resolved.every == 1 || !resolved.denoise));
+           (resolved.every == 1 || (!resolved.denoise && !resolved.surface_layers)));
     if (resolved.noise == 0)
         resolved.noise = 0.01;
     if (resolved.paths == 0)
@@ -521,7 +530,8 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                            tracer->airlight ? airlight_channel(tracer) : 0,
                                        .threads = tracer->desc.threads},
                 tracer->image);
-    append_surfaces(tracer);
+    if (tracer->desc.surface_layers)
+        append_surfaces(tracer);
     return true;
 }
 
@@ -572,14 +582,12 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     tracer.ao = desc->ao_distance > 0 ? mem_alloc(pixels, sizeof *tracer.ao) : NULL;
     tracer.airlight =
         medium_exists(&desc->medium) ? mem_alloc(pixels, sizeof *tracer.airlight) : NULL;
-    tracer.triangles = desc->surface_layers ? mem_alloc(pixels, sizeof *tracer.triangles) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         light_vertices_free(&tracer.lights[stream]);
-    mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight,
-             tracer.triangles);
+    mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

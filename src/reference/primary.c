@@ -1,5 +1,7 @@
 #include "reference/primary.h"
 
+#include "base/memory.h"
+#include "reference/rows.h"
 #include "reference/vector.h"
 
 #include <math.h>
@@ -63,7 +65,7 @@ bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t 
     return ray_scene_camera_hit(primary->rays, origin, direction, ends, seed, hit);
 }
 
-uint32_t primary_triangle(const struct primary_rays *primary, float x, float y) {
+static uint32_t triangle_at(const struct primary_rays *primary, float x, float y) {
     const struct ray_scene *rays = primary->rays;
     vec3s origin, direction;
     struct hit hit;
@@ -76,6 +78,28 @@ uint32_t primary_triangle(const struct primary_rays *primary, float x, float y) 
         ends[0] = glms_vec3_distance(origin, hit.position) + rays->clearance;
     }
     return 0;
+}
+
+/* One place in all pixels. */
+struct looking {
+    const struct primary_rays *primary;
+    const float *place;
+    uint32_t *triangles;
+};
+
+static void look_along(void *context, int row) {
+    const struct looking *looking = context;
+    uint32_t *triangles = looking->triangles + (size_t)row * (size_t)looking->primary->width;
+    for (int x = 0; x < looking->primary->width; x++)
+        triangles[x] = triangle_at(looking->primary, (float)x + looking->place[0],
+                                   (float)row + looking->place[1]);
+}
+
+uint32_t *primary_triangles(const struct primary_rays *primary, const float place[2], int threads) {
+    size_t pixels = (size_t)primary->width * (size_t)primary->height;
+    struct looking looking = {primary, place, mem_alloc(pixels, sizeof(uint32_t))};
+    rows_render(&(struct rows){primary->height, threads, look_along, NULL, &looking});
+    return looking.triangles;
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {

@@ -25,8 +25,9 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
 bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
                  struct hit *hit);
 
-/* Returns the number of the triangle at a point, from 1 on, behind all panes; 0: none. */
-uint32_t primary_triangle(const struct primary_rays *primary, float x, float y);
+/* Returns the number of the triangle that each pixel shows at a place, from 1 on, behind all panes;
+ * 0: none. place: from the pixel's corner, in pixels. The caller frees the numbers. */
+uint32_t *primary_triangles(const struct primary_rays *primary, const float place[2], int threads);
 
 /* Returns the depth along the view axis, metres; of a panorama the distance. */
 float primary_depth(const struct primary_rays *primary, vec3s position);

@@ -3,17 +3,22 @@
 
 #include "base/json.h"
 #include "base/memory.h"
+#include "scene/cryptomatte.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NODE, MESH, MATERIAL, POSITION, DEPTH, UV, NEXT, PREVIOUS, LAYERS };
+enum { NODE, MESH, MATERIAL, POSITION, DEPTH, UV, NEXT, PREVIOUS, MATTES, LAYERS = MATTES + 3 };
 
-const char *const surface_layer_names[] = {"id.node",     "id.mesh",         "id.material",
-                                           "position",    "depth",           "uv",
-                                           "motion.next", "motion.previous", NULL};
+const char *const surface_layer_names[] = {
+    "id.node",     "id.mesh",         "id.material", "position",    "depth",           "uv",
+    "motion.next", "motion.previous", "crypto.node", "crypto.mesh", "crypto.material", NULL};
+
+/* Ids and coverage of two ranks in each four. */
+#define RANKS(name) name ".R " name ".G " name ".B " name ".A"
+#define MATTE(name) RANKS(name "00") " " RANKS(name "01") " " RANKS(name "02")
 
 static const char *const channels[LAYERS] = {"id.node",
                                              "id.mesh",
@@ -22,7 +27,10 @@ static const char *const channels[LAYERS] = {"id.node",
                                              "depth",
                                              "uv.U uv.V",
                                              "motion.next.X motion.next.Y",
-                                             "motion.previous.X motion.previous.Y"};
+                                             "motion.previous.X motion.previous.Y",
+                                             MATTE("crypto.node"),
+                                             MATTE("crypto.mesh"),
+                                             MATTE("crypto.material")};
 
 static const char *const attributes[] = {"manylight:id.node", "manylight:id.mesh",
                                          "manylight:id.material"};
@@ -193,19 +201,22 @@ static void fill_point(const struct surface_view *view, int layer, int x, int y,
     }
 }
 
-void surface_layer_append(const struct surface_view *view, int layer, struct image *image) {
+bool surface_layer_append(const struct surface_view *view, int layer, struct image *image) {
     char first[32];
     int channel = image->channel_count;
     snprintf(first, sizeof first, "%.*s", (int)strcspn(channels[layer], " "), channels[layer]);
     if (image_find_channel(image, first) >= 0)
-        return;
+        return true;
     image_add_channels(image, channels[layer]);
+    if (layer >= MATTES)
+        return cryptomatte_fill(view, layer - MATTES, ids_of(view, layer - MATTES), image);
     if (layer <= MATERIAL) {
         fill_ids(view, layer, channel, image);
-        return;
+        return true;
     }
     for (int y = 0; y < image->height; y++)
         for (int x = 0; x < image->width; x++)
             fill_point(view, layer, x, y, (int[]){image->width, image->height},
                        image_at(image, x, y) + channel);
+    return true;
 }

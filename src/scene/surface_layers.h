@@ -4,7 +4,9 @@
  * id.node, id.mesh, id.material: index in the scene + 1. position: world, metres. depth: distance
  * along the pixel's ray, metres. uv: of the base colour, transformed, v down; 0 for materials
  * without textures. motion.next, motion.previous: from a pixel to where its point of the surface is
- * seen at another time, pixels, y down; 0 if it is behind the camera then. */
+ * seen at another time, pixels, y down; 0 if it is behind the camera then. crypto.node,
+ * crypto.mesh, crypto.material: ids and coverage, of several samples of a pixel
+ * (scene/cryptomatte.h). */
 #ifndef SCENE_SURFACE_LAYERS_H
 #define SCENE_SURFACE_LAYERS_H
 
@@ -30,6 +32,11 @@ struct surface_view {
     /* Triangle of each pixel, row 0 at the top: its first index is 3 x (number - 1). 0: none. */
     const uint32_t *triangles;
     const struct surface_motion *motion; /* for layers of motion */
+    /* For mattes: samples of each pixel, and a function that returns the triangles of one, to be
+     * freed; NULL: error. */
+    int samples;
+    uint32_t *(*look)(void *user, int sample);
+    void *user;
 };
 
 /* Returns the index of a layer; -1: none is called so. Names of all, null-terminated. */
@@ -40,8 +47,8 @@ extern const char *const surface_layer_names[];
  * there is none. */
 const char *surface_layer_id_name(const struct scene *scene, int layer, int i);
 
-/* Appends a layer, unless the image has it. Ids add an attribute with the names of those that are
- * seen, as JSON: manylight:id.node = {"1":"floor"}. */
-void surface_layer_append(const struct surface_view *view, int layer, struct image *image);
+/* Appends a layer, unless the image has it. Error: that of view->look. Ids add an attribute with
+ * the names of those that are seen, as JSON: manylight:id.node = {"1":"floor"}. */
+bool surface_layer_append(const struct surface_view *view, int layer, struct image *image);
 
 #endif

@@ -1,11 +1,12 @@
 /* Layers of surfaces: a rasterised frame and rays see the same, positions lie where the pixels
  * look, ids name what the scene has, and files keep whole numbers. */
 #include "command_support.h"
-#include "render_support.h"
+#include "smooth_stage.h"
 
 #include "inspect/aov.h"
 #include "reference/path_tracer.h"
 #include "reference/primary.h"
+#include "scene/cryptomatte.h"
 #include "scene/surface_layers.h"
 
 #include <cglm/cglm.h>
@@ -16,7 +17,7 @@ static const char all[] = "id.node,id.mesh,id.material,position,depth,uv";
 static const char all_and_motion[] = "id.node,id.mesh,id.material,position,depth,uv,"
                                      "motion.next,motion.previous";
 
-static struct image draw(const struct stage *stage, const struct camera *camera) {
+static struct image draw_layers(const struct stage *stage, const struct camera *camera) {
     struct renderer_desc desc = desc_of(stage, "unshadowed", "", WIDTH, HEIGHT);
     OWNED(renderer) renderer;
     struct image image;
@@ -122,7 +123,7 @@ TEST(frame_and_rays) {
         camera.orthographic = rows[i].extent > 0;
         camera.y_extent = rows[i].extent;
         camera.shift[0] = rows[i].shift;
-        OWNED(image) frame = draw(&stage, &camera), rays = trace(&stage, &camera, NULL);
+        OWNED(image) frame = draw_layers(&stage, &camera), rays = trace(&stage, &camera, NULL);
         float radius = stage.geometry.radius;
         check_places(&frame, &camera, radius);
         if (!rows[i].has_panes)
@@ -210,6 +211,91 @@ TEST(motion) {
     check_motion("scenes/character.glb", .5, "next");
     check_motion("scenes/character.glb", .5, "previous");
     check_motion("scenes/door.glb", .5, "next");
+}
+
+/* --- mattes --- */
+
+/* Numbers of the specification, and a hash that is no normal float. */
+TEST(matte_ids) {
+    assert_int_equal(cryptomatte_id("bunny"), 0x13851a76);
+    assert_int_equal(cryptomatte_id("default"), 0x42c9679f);
+    assert_int_equal(cryptomatte_id("bunny_porcelain_mat"), 0xb24b26d4);
+    assert_int_equal(cryptomatte_id(""), 0x00800000);
+}
+
+/* The part of a pixel that a name has; NULL: all names together. */
+static double coverage_at(const struct image *image, int x, int y, const char *layer,
+                          const char *name) {
+    double sum = 0, last = 1;
+    for (int r = 0; r < 6; r++) {
+        uint32_t id, wanted = name ? cryptomatte_id(name) : 0;
+        const float *rank = image_at(image, x, y) + 2 * (r % 2) +
+                            image_find_channel(image, form("%s%02d.R", layer, r / 2));
+        memcpy(&id, rank, sizeof id);
+        assert_true((double)rank[1] <= last && (rank[1] > 0) == (id != 0));
+        last = (double)rank[1];
+        sum += !name || id == wanted ? last : 0;
+    }
+    return sum;
+}
+
+/* A square's edge is a fifth of a pixel into the seventh column and row: pixels are 1/4 m wide. */
+static void check_square(const struct image *image, double tolerance) {
+    for (int i = 4; i < 8; i++) {
+        double side = i < 6 ? 1 : i == 6 ? .2 : 0;
+        check_near("edge", coverage_at(image, i, 4, "crypto.node", "node 2"), side, tolerance);
+        check_near("corner", coverage_at(image, i, i, "crypto.material", "material 2"), side * side,
+                   tolerance);
+        check_near("all", coverage_at(image, i, i, "crypto.mesh", NULL), 1, 1e-6);
+    }
+}
+
+TEST(matte_coverage) {
+    static const char names[] = "crypto.node,crypto.mesh,crypto.material";
+    OWNED(stage) stage;
+    OWNED(renderer) renderer;
+    OWNED(image) frame, rays;
+    open_squares(&stage, &(struct square){UP_NODE, 1, 1.1}, 1, 3);
+    stage.camera.orthographic = true;
+    stage.camera.y_extent = 1;
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", CHEAP "samples=16", 8, 8));
+    check_ok("read", renderer_read_layers(&renderer, &frame));
+    check_ok("append", aov_append(&renderer, names, NULL, &frame));
+    check_square(&frame, 1.5 / 16);
+    check_ok("trace", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
+                                                                    .geometry = &stage.geometry,
+                                                                    .camera = &stage.camera,
+                                                                    .emitters = stage.emitters,
+                                                                    .width = 8,
+                                                                    .height = 8,
+                                                                    .samples = 256,
+                                                                    .surface_layers = names},
+                                         &rays, NULL));
+    check_square(&rays, .012);
+}
+
+/* The parts of a pixel are those that its samples see: its alpha. */
+TEST(matte_files) {
+    expect(0, "% render scenes/plant.glb --size 40x40 -q -o @/a.exr --aov crypto.node");
+    expect(0, "% reference scenes/plant.glb --size 40x40 --spp 8 -q -o @/b.exr --aov crypto.node");
+    for (int i = 0; i < 2; i++) {
+        const char *path = form("%s", scratch(i ? "b.exr" : "a.exr"));
+        OWNED(image) image;
+        int partial = 0;
+        expect(0, form("grep -aq '\": \"[0-9a-f]\\{8\\}\"' %s", path));
+        check_ok("read", image_read(&image, path));
+        for (int p = 0; p < 40 * 40; p++) {
+            double alpha = (double)value_at(&image, p % 40, p / 40, "A");
+            double all = coverage_at(&image, p % 40, p / 40, "crypto.node", NULL);
+            assert_true(fabs(alpha - all) < 1e-3);
+            partial += alpha > 0 && alpha < 1;
+        }
+        assert_true(partial > 50);
+    }
+    expect(1,
+           "% render scenes/plant.glb -o @/a.exr --size 16x16 --aov crypto.mesh --set samples=1");
+    expect_text("crypto.mesh is a part of several samples of a pixel, and picture.samples=1 has");
+    expect(2, "% reference scenes/plant.glb -o @/a.exr --spp 4 --centers --aov crypto.mesh");
 }
 
 /* --- files --- */

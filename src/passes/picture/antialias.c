@@ -7,6 +7,7 @@
 #include "passes/targets.h"
 #include "shared/antialias.h"
 
+#include <stddef.h>
 #include <stdio.h>
 
 struct sample_layers sample_layers(int samples, int most) {
@@ -153,6 +154,11 @@ void antialias_pass_free(struct antialias_pass *pass) {
     textures_free(&pass->assignment, &pass->edge_samples);
     buffer_free(&pass->params);
     *pass = (struct antialias_pass){0};
+}
+
+void antialias_pass_place(const struct antialias_pass *pass, int i, float place[2]) {
+    size_t offset = offsetof(struct antialias_params, places[i]);
+    buffer_read(&pass->params, offset, 2 * sizeof *place, place);
 }
 
 /* Error of levels of detail, pixels. edges.frag lets samples lie about as far off their plane. */

@@ -48,6 +48,9 @@ struct antialias_pass {
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc);
 void antialias_pass_free(struct antialias_pass *pass);
 
+/* Writes where sample i lies, from the pixel's centre, pixels, y up. */
+void antialias_pass_place(const struct antialias_pass *pass, int i, float place[2]);
+
 /* Fills pass->assignment and pass->edge_samples. Timer "antialias". */
 void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
                            const struct gbuffer *gbuffer);

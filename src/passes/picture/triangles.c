@@ -57,13 +57,14 @@ static void draw(const struct target *target, const struct frame *frame, int wid
 }
 
 uint32_t *triangles_read(const struct frame *frame, const struct camera *camera, int width,
-                         int height) {
+                         int height, const float place[2]) {
     struct target target = {.program = 0};
     struct view view;
     struct frame centred = *frame;
     size_t row = (size_t)width, count = row * (size_t)height;
     uint32_t *flipped = NULL;
     view_of_camera(&view, camera, frame->geometry, (float)width / (float)height);
+    view_shift(&view, (float[2]){2 * place[0] / (float)width, 2 * place[1] / (float)height});
     centred.camera = &view;
     if (target_init(&target, &view, width, height)) {
         draw(&target, &centred, width, height);
