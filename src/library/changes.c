@@ -57,9 +57,9 @@ static bool follow(struct manylight_scene *scene) {
     scene->stage = stage;
     scene->is_lent = false;
     scene->edition++;
-    if (scene->is_reshaped)
-        scene->reshaped = scene->edition;
-    scene->is_reshaped = false;
+    for (int kind = 0; kind <= (int)scene->kind; kind++)
+        scene->last[kind] = scene->edition;
+    scene->kind = CHANGE_COLORS;
     if (!scene->is_broken)
         scene_describe(scene);
     return !scene->is_broken;
@@ -97,9 +97,10 @@ struct change {
     float turn, strength;
 };
 
-/* Tells renderers to start anew. */
-static bool reshape(const struct change *change) {
-    return change->scene->is_reshaped = true;
+static bool mark(const struct change *change, enum change_kind kind) {
+    if (kind > change->scene->kind)
+        change->scene->kind = kind;
+    return true;
 }
 
 static bool refuse_id(const char *part, uint32_t id, int last) {
@@ -146,7 +147,7 @@ static bool set_node(const struct change *change) {
     if (!is_affine)
         return error_set("node %u: its matrix is not finite with the last row 0 0 0 1", change->id);
     lists->nodes[change->id - 1] = node;
-    return reshape(change);
+    return mark(change, CHANGE_TRIANGLES);
 }
 
 enum manylight_status manylight_scene_set_node(struct manylight_scene *scene, uint32_t id,
@@ -177,7 +178,7 @@ static bool set_mesh(const struct change *change) {
         return error_set("mesh %u: material: it keeps its material, %d", change->id, material);
     bool has_picture =
         mesh->primitives->uv[0] || scene->materials[material].base_color_texture >= 0;
-    return (arrays_set_mesh(mesh, &to, material, has_picture) && reshape(change)) ||
+    return (arrays_set_mesh(mesh, &to, material, has_picture) && mark(change, CHANGE_TRIANGLES)) ||
            error_prefix("mesh %u", change->id);
 }
 
@@ -204,7 +205,7 @@ static bool set_material(const struct change *change) {
     if ((to.picture && !error_set("picture: a material keeps its pictures")) ||
         !arrays_set_material(material, &to))
         return error_prefix("material %u", change->id);
-    return differ_by_color(&before, material) || reshape(change);
+    return differ_by_color(&before, material) || mark(change, CHANGE_ALL);
 }
 
 enum manylight_status manylight_scene_set_material(struct manylight_scene *scene, uint32_t id,
@@ -224,7 +225,7 @@ static bool set_sky(const struct change *change) {
     if (change->path) {
         original->turn = 0;
         original->strength = 1;
-        reshape(change);
+        mark(change, CHANGE_ALL);
     }
     (*sky)->turn = original->turn + change->turn;
     (*sky)->strength = original->strength * (change->strength == 0 ? 1 : change->strength);

@@ -192,18 +192,31 @@ static bool do_job(struct manylight_renderer *renderer, worker_job *job, struct 
     return ok;
 }
 
-/* Follows a change of colours and lights, or starts anew with a scene that has changed. Programs
+static bool follows(const struct manylight_renderer *renderer) {
+    return renderer->exists &&
+           renderer_follows(&renderer->renderer, &renderer->loan.stage.geometry);
+}
+
+/* Follows a change of colours or triangles, or starts anew with a scene that has changed. Programs
  * stay in the device's store. */
 static bool follow_scene(struct manylight_renderer *renderer) {
     struct renderer_desc desc = renderer->renderer.desc;
-    if (loan_is_current(&renderer->loan))
+    struct loan *loan = &renderer->loan;
+    if (loan_is_current(loan))
         return true;
-    if (renderer->exists && loan_repaint(&renderer->loan)) {
+    enum change_kind kind = loan_change(loan);
+    if (renderer->exists && kind == CHANGE_COLORS) {
+        loan_repaint(loan);
         renderer_relight(&renderer->renderer);
         return true;
     }
+    if (kind == CHANGE_ALL || !follows(renderer))
+        free_renderer(&(struct call){.of = renderer});
+    bool ok = loan_renew(loan);
+    if (ok && follows(renderer)) /* show updates it */
+        return true;
     free_renderer(&(struct call){.of = renderer});
-    if (!loan_renew(&renderer->loan))
+    if (!ok)
         return false;
     desc.emitters = renderer->loan.stage.emitters;
     desc.camera = renderer->loan.stage.camera;

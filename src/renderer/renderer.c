@@ -31,6 +31,7 @@ enum part {
     PART_CAUSTICS = 512, /* what caustics there are, their settings; whether there is a medium */
     PART_ALL = 1023,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
+    PART_OF_SHAPES = PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER, /* what is made of triangles */
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
 
@@ -523,6 +524,7 @@ static bool update_techniques(struct renderer *renderer) {
 bool renderer_update(struct renderer *renderer) {
     renderer_view_geometry(renderer);
     bool posed = renderer->scene.pose != renderer->desc.geometry->pose_count;
+    bool changed = renderer->scene.pose < renderer->desc.geometry->changed;
     renderer->lights_drawn &= !posed;
     if (posed)
         renderer->refining.count = 0;
@@ -530,7 +532,14 @@ bool renderer_update(struct renderer *renderer) {
         return false;
     renderer_write_views(renderer);
     return scene_gpu_update(&renderer->scene, renderer_geometry(renderer)) &&
-           caster_pool_update(renderer->casters) && update_techniques(renderer);
+           caster_pool_update(renderer->casters) &&
+           (changed ? change(renderer, &renderer->desc, &renderer->plan, PART_OF_SHAPES)
+                    : update_techniques(renderer));
+}
+
+bool renderer_follows(const struct renderer *renderer, const struct geometry *geometry) {
+    return !renderer_has_caustics(&renderer->desc) && !geometry_has_panes(geometry) &&
+           geometry->balls_count == 0 && !caster_pool_is_large(geometry);
 }
 
 void renderer_relight(struct renderer *renderer) {

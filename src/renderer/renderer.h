@@ -144,8 +144,13 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 /* True if renderer_follow would rebuild a part with programs. A change of size alone does not. */
 bool renderer_makes_programs(const struct renderer *renderer, const struct renderer_desc *desc);
 
-/* Uploads moved triangles, after geometry_pose. Start with the geometry at time 0 to get equal bits
- * whatever came before. Error: out of GPU memory; the caller must then free the renderer. */
+/* Returns true if renderer_update follows a change (geometry_follow) from or to this geometry.
+ * Panes, caustics, metaballs and levels of detail do not. */
+bool renderer_follows(const struct renderer *renderer, const struct geometry *geometry);
+
+/* Uploads moved triangles, after geometry_pose or geometry_follow. Start with the geometry at time
+ * 0 to get equal bits whatever came before. Error: out of GPU memory; the caller must then free the
+ * renderer. */
 bool renderer_update(struct renderer *renderer);
 
 /* Renders one frame into the composite's display texture. Timer "frame". */

@@ -14,6 +14,10 @@ CORNERS = np.arange(144).reshape(12, 12)
 FACES = np.concatenate([np.stack([CORNERS[:-1, :-1], CORNERS[1:, :-1], CORNERS[:-1, 1:]], -1).reshape(-1, 3),
                         np.stack([CORNERS[:-1, 1:], CORNERS[1:, :-1], CORNERS[1:, 1:]], -1).reshape(-1, 3)])
 SKIES = ("scenes/day.hdr", "cie:12,elevation=40")
+# What is made of triangles: casters of maps, points, elements, voxels, surfaces of bounces.
+MORE = ({"settings": {"path": "maps"}}, {"technique": "imperfect-volume"}, {"technique": "implicit-visibility"},
+        {"technique": "imperfect-shadow-maps"}, {"technique": "cluster-lights"}, {"technique": "lightcuts"},
+        {"technique": "row-column"}, {"lights_bounces": 3}, {"passes": 3}, {"direct": "pcss", "keep_lights": True})
 LAYERS = ["beauty", "indirect", "direct", "albedo", "Z", "id.material"]
 
 
@@ -131,8 +135,9 @@ def check_refusals(device):
 def main():
     with manylight.Device(allow_software=True) as device:
         check_arrays(device)
-        if os.environ.get("MANYLIGHT_LONG"):
-            check_arrays(device, settings={"path": "maps"})
+        for options in MORE[:None if os.environ.get("MANYLIGHT_LONG") else 2]:
+            print(f"  {options}")
+            check_arrays(device, **options)
         check_sky(device)
         check_file(device)
         check_refusals(device)

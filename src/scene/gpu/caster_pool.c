@@ -32,13 +32,13 @@ struct caster_pool *caster_pool_create(const struct scene *scene, const struct g
 }
 
 /* Small scenes have no levels, and the casters of each part are made by themselves. */
-static bool is_large(const struct geometry *geometry) {
+bool caster_pool_is_large(const struct geometry *geometry) {
     return geometry->index_count / 3 > 1 << 20;
 }
 
 struct levels *caster_pool_levels(struct caster_pool *pool) {
     double start = clock_ms();
-    if (!pool->has_levels && is_large(pool->geometry))
+    if (!pool->has_levels && caster_pool_is_large(pool->geometry))
         levels_init(&pool->levels, pool->scene, pool->geometry);
     phase_add(PHASE_SIMPLIFY, start);
     pool->has_levels = true;
@@ -87,24 +87,36 @@ static bool tells_solids(const struct scene *scene) {
            node_count_carrying(scene, NODE_CAMERA) > 0;
 }
 
-static struct pooled *add(struct caster_pool *pool, const struct caster_desc *desc) {
-    struct pooled *pooled = mem_alloc(1, sizeof *pooled);
-    free_unused(pool);
-    struct caster_desc own = *desc;
-    own.scene = is_large(pool->geometry) ? pool->scene : NULL;
+static bool fill(const struct caster_pool *pool, struct pooled *pooled) {
+    struct caster_desc own = pooled->desc;
+    own.scene = caster_pool_is_large(pool->geometry) ? pool->scene : NULL;
     own.levels = pool->has_levels ? &pool->levels : NULL;
     struct camera camera;
-    if (desc->error > 0 && tells_solids(pool->scene)) {
+    if (own.error > 0 && tells_solids(pool->scene)) {
         camera_place(&camera, pool->scene, 0, 0);
         own.eye = camera.eye;
     }
-    if (!caster_gpu_init(&pooled->gpu, pool->geometry, &own)) {
+    return caster_gpu_init(&pooled->gpu, pool->geometry, &own);
+}
+
+static struct pooled *add(struct caster_pool *pool, const struct caster_desc *desc) {
+    struct pooled *pooled = mem_alloc(1, sizeof *pooled);
+    free_unused(pool);
+    pooled->desc = *desc;
+    if (!fill(pool, pooled)) {
         free(pooled);
         return NULL;
     }
-    pooled->desc = *desc;
     pooled->next = pool->first;
     return pool->first = pooled;
+}
+
+/* A changed geometry is simplified anew. */
+static bool update(const struct caster_pool *pool, struct pooled *pooled) {
+    if (pooled->gpu.pose >= pool->geometry->changed)
+        return caster_gpu_update(&pooled->gpu, pool->geometry);
+    caster_gpu_free(&pooled->gpu);
+    return fill(pool, pooled);
 }
 
 bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **caster,
@@ -113,7 +125,7 @@ bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **cas
     *caster = NULL;
     if (!pooled)
         pooled = add(pool, desc);
-    else if (!pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry)) {
+    else if (!pooled->uses && !update(pool, pooled)) {
         free_unused(pool);
         pooled = NULL;
     }
@@ -158,7 +170,7 @@ void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh 
 
 bool caster_pool_update(struct caster_pool *pool) {
     for (struct pooled *pooled = pool->first; pooled; pooled = pooled->next)
-        if (pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry))
+        if (pooled->uses && !update(pool, pooled))
             return false;
     return !pool->tree_uses || caster_bvh_update(&pool->tree, pool->scene, pool->geometry);
 }

@@ -15,9 +15,10 @@ struct caster_pool;
 /* Scene and geometry must outlive the pool. */
 struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry);
 
-/* Returns the geometry's levels of detail, made at the first call; a scene of up to 2^20 triangles
- * has none. Casters begin with them. */
+/* Return the geometry's levels of detail, made at the first call, with which casters begin; and
+ * whether it has some: more than 2^20 triangles. */
 struct levels *caster_pool_levels(struct caster_pool *pool);
+bool caster_pool_is_large(const struct geometry *geometry);
 
 /* Requires that all casters are released. Accepts NULL. */
 void caster_pool_free(struct caster_pool *pool);
