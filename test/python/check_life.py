@@ -1,8 +1,11 @@
-"""check_life.py: arrays, handles, threads, progress and Ctrl-C."""
+"""check_life.py: arrays, handles, threads, processes, progress and Ctrl-C."""
+import multiprocessing
 import os
+import resource
 import signal
 import threading
 import time
+from concurrent import futures
 
 import manylight
 
@@ -61,21 +64,46 @@ def check_gil(device):
         assert count > 1000
 
 
-def check_threads(device):
-    """Four threads with two devices make the pictures of one."""
-    expected = device.render(BOX, SIZE)["beauty"].tobytes()
-    found = []
-    with manylight.Device(allow_software=True) as other:
-        def body(own):
-            scene = manylight.Scene(BOX)
-            found.append(own.render(scene, SIZE)["beauty"].tobytes())
+def pictures(device=None):
+    """Bytes of a frame and of a reference; None: by a device of its own."""
+    if device is None:
+        with manylight.Device(allow_software=True) as own:
+            return pictures(own)
+    scene = manylight.Scene(BOX)
+    traced = manylight.reference(scene, (16, 16), samples=2, threads=1)
+    return device.render(scene, SIZE)["beauty"].tobytes(), traced["beauty"].tobytes()
 
-        threads = [threading.Thread(target=body, args=(own,)) for own in (device, other) * 2]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-    assert found == [expected] * 4
+
+def processes(count):
+    """Processes as the pages tell to start them."""
+    return futures.ProcessPoolExecutor(count, multiprocessing.get_context("spawn"))
+
+
+def check_threads(device):
+    """Threads with a device each, two with one device, and processes make the pictures of one."""
+    expected = pictures(device)
+    devices = [device] * 2 + [None] * (8 if LONG else 3)
+    for pool, owners in ((futures.ThreadPoolExecutor(len(devices)), devices), (processes(4), [None] * (4 if LONG else 2))):
+        with pool:
+            assert list(pool.map(pictures, owners)) == [expected] * len(owners)
+
+
+def limited(leaves):
+    """What a device says where `ulimit -v` leaves so many bytes."""
+    with open("/proc/self/statm", encoding="utf-8") as statm:
+        most = int(statm.read().split()[0]) * os.sysconf("SC_PAGE_SIZE") + leaves
+    resource.setrlimit(resource.RLIMIT_AS, (most, most))
+    try:
+        return len(pictures())
+    except manylight.OutOfMemory as error:
+        return str(error)
+
+
+def check_memory():
+    """Too little memory is an exception that names the limit."""
+    with processes(1) as small, processes(1) as large:
+        assert "ulimit -v leaves 0.29 GiB" in small.submit(limited, 300 << 20).result()
+        assert large.submit(limited, 16 << 30).result() == 2
 
 
 def check_progress(device):
@@ -221,12 +249,14 @@ def main():
         check_threads(device)
         check_progress(device)
         check_fork(device)
-        if not has_sanitizer():
+        if not has_sanitizer():  # which takes more address space than there is memory
             check_growth(device)
+            check_memory()
         check_interrupt(device)
     # A device that nobody closes does not disturb the end.
     globals()["left"] = manylight.Device(allow_software=True)
     print("    done")
 
 
-main()
+if __name__ == "__main__":  # processes that are spawned read this file again
+    main()
