@@ -17,13 +17,8 @@ static const float fov_y = 0.7F, fov_y_in_room = 1.1F;
 static int add_node(struct scene *scene, const char *name) {
     scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
     struct node *node = &scene->nodes[scene->node_count];
-    *node = (struct node){.parent = -1,
-                          .mesh = -1,
-                          .light = -1,
-                          .camera = -1,
-                          .skin = -1,
-                          .metaballs = -1,
-                          .has_matrix = true};
+    *node = node_new();
+    node->has_matrix = true;
     snprintf(node->name, sizeof node->name, "%s", name);
     glm_mat4_identity((vec4 *)node->matrix);
     return scene->node_count++;

@@ -8,6 +8,7 @@
 #include "scene/lights/islands.h"
 #include "scene/lights/lamp_parts.h"
 #include "scene/lights/lamp_triangles.h"
+#include "scene/node.h"
 #include "scene/texture.h"
 
 #include <cglm/cglm.h>
@@ -199,13 +200,10 @@ static void add_light(struct scene *scene, int parent, const char *name,
     struct node *node = &scene->nodes[scene->node_count++];
     *light = *source;
     snprintf(light->name, sizeof light->name, "%s", name);
-    *node = (struct node){.parent = parent,
-                          .mesh = -1,
-                          .light = scene->light_count++,
-                          .camera = -1,
-                          .skin = -1,
-                          .metaballs = -1,
-                          .has_matrix = true};
+    *node = node_new();
+    node->parent = parent;
+    node->light = scene->light_count++;
+    node->has_matrix = true;
     if (parent >= 0)
         memcpy(node->name, scene->nodes[parent].name, sizeof node->name);
     memcpy(node->matrix, matrix, sizeof node->matrix);

@@ -1,6 +1,7 @@
 #include "scene/mesh/caster.h"
 
 #include "base/memory.h"
+#include "scene/mesh/corners.h"
 #include "scene/mesh/simplify.h"
 #include "scene/mesh/solid.h"
 
@@ -13,14 +14,6 @@
 
 /* No triangle counts for more than this part of all surfaces. */
 enum { LARGEST_PART = 10 };
-
-static double triangle_area(const struct geometry *geometry, const uint32_t corner[3]) {
-    vec3 edges[2], across;
-    for (int e = 0; e < 2; e++)
-        glm_vec3_sub(geometry->position[corner[e + 1]], geometry->position[corner[0]], edges[e]);
-    glm_vec3_cross(edges[0], edges[1], across);
-    return (double)glm_vec3_norm(across) / 2;
-}
 
 /* Largest first. */
 static void keep_largest(double largest[LARGEST_PART], double area) {
@@ -39,7 +32,7 @@ static float surface_size(const struct geometry *geometry) {
     for (int p = 0; p < geometry->part_count; p++) {
         const struct geometry_part *part = &geometry->parts[p];
         for (uint32_t k = 0; k < part->index_count && part->rigid; k += 3) {
-            double area = triangle_area(geometry, geometry->indices + part->first_index + k);
+            double area = corners_area(geometry, geometry->indices + part->first_index + k);
             keep_largest(largest, area);
             rest += area;
         }
