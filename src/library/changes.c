@@ -57,9 +57,9 @@ static bool follow(struct manylight_scene *scene) {
     scene->stage = stage;
     scene->is_lent = false;
     scene->edition++;
-    for (int kind = 0; kind <= (int)scene->kind; kind++)
-        scene->last[kind] = scene->edition;
-    scene->kind = CHANGE_COLORS;
+    if (scene->is_reshaped)
+        scene->reshaped = scene->edition;
+    scene->is_reshaped = false;
     if (!scene->is_broken)
         scene_describe(scene);
     return !scene->is_broken;
@@ -97,10 +97,9 @@ struct change {
     float turn, strength;
 };
 
-static bool mark(const struct change *change, enum change_kind kind) {
-    if (kind > change->scene->kind)
-        change->scene->kind = kind;
-    return true;
+/* Tells renderers to start anew. */
+static bool reshape(const struct change *change) {
+    return change->scene->is_reshaped = true;
 }
 
 static bool refuse_id(const char *part, uint32_t id, int last) {
@@ -147,7 +146,7 @@ static bool set_node(const struct change *change) {
     if (!is_affine)
         return error_set("node %u: its matrix is not finite with the last row 0 0 0 1", change->id);
     lists->nodes[change->id - 1] = node;
-    return mark(change, CHANGE_TRIANGLES);
+    return true;
 }
 
 enum manylight_status manylight_scene_set_node(struct manylight_scene *scene, uint32_t id,
@@ -178,8 +177,7 @@ static bool set_mesh(const struct change *change) {
         return error_set("mesh %u: material: it keeps its material, %d", change->id, material);
     bool has_picture =
         mesh->primitives->uv[0] || scene->materials[material].base_color_texture >= 0;
-    return (arrays_set_mesh(mesh, &to, material, has_picture) && mark(change, CHANGE_TRIANGLES)) ||
-           error_prefix("mesh %u", change->id);
+    return arrays_set_mesh(mesh, &to, material, has_picture) || error_prefix("mesh %u", change->id);
 }
 
 enum manylight_status manylight_scene_set_mesh(struct manylight_scene *scene, uint32_t id,
@@ -205,7 +203,7 @@ static bool set_material(const struct change *change) {
     if ((to.picture && !error_set("picture: a material keeps its pictures")) ||
         !arrays_set_material(material, &to))
         return error_prefix("material %u", change->id);
-    return differ_by_color(&before, material) || mark(change, CHANGE_ALL);
+    return differ_by_color(&before, material) || reshape(change);
 }
 
 enum manylight_status manylight_scene_set_material(struct manylight_scene *scene, uint32_t id,
@@ -225,7 +223,7 @@ static bool set_sky(const struct change *change) {
     if (change->path) {
         original->turn = 0;
         original->strength = 1;
-        mark(change, CHANGE_ALL);
+        reshape(change);
     }
     (*sky)->turn = original->turn + change->turn;
     (*sky)->strength = original->strength * (change->strength == 0 ? 1 : change->strength);

@@ -333,8 +333,9 @@ MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *sce
 
 /* Change a part of a scene without clips, by its id; manylight_view.light changes lights. Renderers
  * and references show the change from the next frame on, with the bits of a scene opened with it.
- * That frame makes the renderer's buffers anew, once for all changes before it. Files' alpha modes,
- * extensions and pictures stay. Error: MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no
+ * Renderers follow other triangles and colours. They start anew after all other changes, and with
+ * panes, caustics, metaballs or more than 2^20 triangles. Files' alpha modes, extensions and
+ * pictures stay. Error: MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no
  * such part; a part that these structs cannot describe. The scene then stays unchanged. */
 
 /* matrix: affine, from the node to its parent, row by row. */

@@ -192,28 +192,17 @@ static bool do_job(struct manylight_renderer *renderer, worker_job *job, struct 
     return ok;
 }
 
-static bool follows(const struct manylight_renderer *renderer) {
-    return renderer->exists &&
-           renderer_follows(&renderer->renderer, &renderer->loan.stage.geometry);
-}
-
-/* Follows a change of colours or triangles, or starts anew with a scene that has changed. Programs
- * stay in the device's store. */
+/* Follows a scene that has changed, or starts anew with it. Programs stay in the device's store. */
 static bool follow_scene(struct manylight_renderer *renderer) {
     struct renderer_desc desc = renderer->renderer.desc;
-    struct loan *loan = &renderer->loan;
-    if (loan_is_current(loan))
+    if (loan_is_current(&renderer->loan))
         return true;
-    enum change_kind kind = loan_change(loan);
-    if (renderer->exists && kind == CHANGE_COLORS) {
-        loan_repaint(loan);
-        renderer_relight(&renderer->renderer);
-        return true;
-    }
-    if (kind == CHANGE_ALL || !follows(renderer))
-        free_renderer(&(struct call){.of = renderer});
-    bool ok = loan_renew(loan);
-    if (ok && follows(renderer)) /* show updates it */
+    const struct geometry *geometry = &renderer->loan.stage.geometry;
+    bool follows = renderer->exists && loan_is_followed(&renderer->loan);
+    bool may_move = follows && renderer_follows(&renderer->renderer, geometry);
+    bool ok = loan_renew(&renderer->loan);
+    may_move = may_move && renderer_follows(&renderer->renderer, geometry);
+    if (ok && follows && (may_move || geometry->changed < geometry->pose_count))
         return true;
     free_renderer(&(struct call){.of = renderer});
     if (!ok)

@@ -217,29 +217,15 @@ bool loan_renew(struct loan *loan) {
     bool ok = fill_loan(loan);
     if (ok)
         geometry_follow(&loan->stage.geometry, &before);
-    else
-        geometry_free(&before);
+    geometry_free(&before);
     return ok;
 }
 
-/* Lights and lamps that a change adds or takes away are a change of all. */
-enum change_kind loan_change(const struct loan *loan) {
-    const struct manylight_scene *scene = loan->from;
-    const struct scene *now = &scene->stage.scene, *then = &loan->stage.scene;
-    bool all = loan->edition < scene->last[CHANGE_ALL] || then->node_count != now->node_count ||
-               then->surface_count != now->surface_count;
-    return all                                             ? CHANGE_ALL
-           : loan->edition < scene->last[CHANGE_TRIANGLES] ? CHANGE_TRIANGLES
-                                                           : CHANGE_COLORS;
-}
-
-void loan_repaint(struct loan *loan) {
-    const struct manylight_scene *scene = loan->from;
-    struct geometry *geometry = &loan->stage.geometry;
-    loan->stage.scene = scene->stage.scene;
-    geometry->painted = ++geometry->pose_count;
-    loan->has_original = false;
-    loan->edition = scene->edition;
+/* Nodes and surfaces differ in number where lights or lamps do. */
+bool loan_is_followed(const struct loan *loan) {
+    const struct scene *then = &loan->stage.scene, *now = &loan->from->stage.scene;
+    return loan->edition >= loan->from->reshaped && then->node_count == now->node_count &&
+           then->surface_count == now->surface_count;
 }
 
 bool loan_is_current(const struct loan *loan) {

@@ -17,21 +17,17 @@ struct original {
     float turn, strength; /* of the sky */
 };
 
-/* What renderers make anew: nothing for colours and the turn and strength of the sky, what depends
- * on triangles, or all. */
-enum change_kind { CHANGE_COLORS, CHANGE_TRIANGLES, CHANGE_ALL, CHANGE_KINDS };
-
 struct manylight_scene {
     atomic_int users;
-    pthread_mutex_t mutex;       /* of all below */
-    int calls;                   /* that use the scene, and keep changes out */
-    struct stage stage;          /* at time 0 */
-    bool is_lent;                /* its triangles are */
-    bool is_marked;              /* a part has changed since the last use */
-    enum change_kind kind;       /* of the changes since */
-    bool is_broken;              /* the change could not be followed */
-    unsigned edition;            /* counts changes that were followed */
-    unsigned last[CHANGE_KINDS]; /* edition of the last change of this kind or a later one */
+    pthread_mutex_t mutex; /* of all below */
+    int calls;             /* that use the scene, and keep changes out */
+    struct stage stage;    /* at time 0 */
+    bool is_lent;          /* its triangles are */
+    bool is_marked;        /* a part has changed since the last use */
+    bool is_reshaped;      /* and not only triangles, colours, lights and the turn of the sky */
+    bool is_broken;        /* the change could not be followed */
+    unsigned edition;      /* counts changes that were followed */
+    unsigned reshaped;     /* edition of the last that renderers do not follow */
     struct original original;
     char *light; /* as it was opened; NULL: all */
     struct manylight_scene_info info;
@@ -61,16 +57,13 @@ struct loan {
 /* Lends the scene, in use, at time 0 and keeps it alive until loan_return. Error: out of memory. */
 bool loan_take(struct loan *loan, const struct manylight_scene *scene);
 
-/* Return whether the scene is as it was lent, and the greatest kind of the changes since. */
-bool loan_is_current(const struct loan *loan);
-enum change_kind loan_change(const struct loan *loan);
-
-/* Lends the scene, in use, again after a change. Its triangles tell what has moved. Error: that of
- * loan_take; it must be returned. */
+/* Lends the scene, in use, again after a change, by geometry_follow. Error: that of loan_take; it
+ * must be returned. */
 bool loan_renew(struct loan *loan);
+bool loan_is_current(const struct loan *loan);
 
-/* Follows a change of colours alone, which leaves the loan its triangles. */
-void loan_repaint(struct loan *loan);
+/* Returns true if renderers of the loan may follow its renewal. */
+bool loan_is_followed(const struct loan *loan);
 
 /* Returns the triangles and releases the scene. Accepts a zeroed loan. */
 void loan_return(struct loan *loan);

@@ -35,21 +35,24 @@ struct sky_answer {
 };
 
 struct light_search {
+    const struct caster_pool *casters;
     struct surface_rays rays; /* zeroed before the first question */
     unsigned moved;           /* of the rays */
     struct lamps_answer lamps;
     struct sky_answer sky;
 };
 
-struct light_search *light_search_create(void) {
-    return mem_alloc(1, sizeof(struct light_search));
+struct light_search *light_search_create(const struct caster_pool *casters) {
+    struct light_search *search = mem_alloc(1, sizeof *search);
+    search->casters = casters;
+    return search;
 }
 
 static void forget(struct light_search *search) {
     if (search->rays.geometry)
         surface_rays_free(&search->rays);
     emitters_free(&search->lamps.emitters);
-    *search = (struct light_search){0};
+    *search = (struct light_search){.casters = search->casters};
 }
 
 void light_search_free(struct light_search *search) {
@@ -92,7 +95,8 @@ static const struct surface_rays *rays_for(struct light_search *search,
     unsigned moved = last_move(desc->geometry);
     if (!search->rays.geometry || search->moved != moved) {
         forget(search);
-        surface_rays_init(&search->rays, desc->scene, desc->geometry);
+        surface_rays_init(&search->rays, desc->scene, desc->geometry,
+                          caster_pool_built(search->casters, desc->geometry));
         search->moved = moved;
     }
     return &search->rays;

@@ -9,8 +9,9 @@
 
 #include "renderer/renderer.h"
 
-/* Returns a search that caches its last answer, and a BVH from the first question on. */
-struct light_search *light_search_create(void);
+/* Returns a search that caches its last answer, and a BVH from the first question on: that of the
+ * casters where they have it. */
+struct light_search *light_search_create(const struct caster_pool *casters);
 
 /* Accepts NULL. */
 void light_search_free(struct light_search *search);

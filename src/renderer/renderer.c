@@ -31,7 +31,6 @@ enum part {
     PART_CAUSTICS = 512, /* what caustics there are, their settings; whether there is a medium */
     PART_ALL = 1023,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
-    PART_OF_SHAPES = PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER, /* what is made of triangles */
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
 
@@ -288,13 +287,13 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         return false;
     }
     *renderer = (struct renderer){.desc = *desc,
-                                  .light_search = light_search_create(),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
     set_defaults(&renderer->desc);
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     renderer_view_geometry(renderer);
     renderer->casters = caster_pool_create(desc->scene, renderer_geometry(renderer));
+    renderer->light_search = light_search_create(renderer->casters);
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer),
@@ -521,6 +520,14 @@ static bool update_techniques(struct renderer *renderer) {
             update_state(renderer, refining->technique, refining->state));
 }
 
+/* Those with a copy of the triangles. */
+static bool remake_techniques(struct renderer *renderer) {
+    const struct technique *refiner = renderer->refining.technique;
+    unsigned parts = renderer->technique->update ? PART_TECHNIQUE | PART_COMPOSITE : 0U;
+    parts |= refiner && refiner->update ? PART_REFINER : 0U;
+    return change(renderer, &renderer->desc, &renderer->plan, parts);
+}
+
 bool renderer_update(struct renderer *renderer) {
     renderer_view_geometry(renderer);
     bool posed = renderer->scene.pose != renderer->desc.geometry->pose_count;
@@ -533,8 +540,7 @@ bool renderer_update(struct renderer *renderer) {
     renderer_write_views(renderer);
     return scene_gpu_update(&renderer->scene, renderer_geometry(renderer)) &&
            caster_pool_update(renderer->casters) &&
-           (changed ? change(renderer, &renderer->desc, &renderer->plan, PART_OF_SHAPES)
-                    : update_techniques(renderer));
+           (changed ? remake_techniques(renderer) : update_techniques(renderer));
 }
 
 bool renderer_follows(const struct renderer *renderer, const struct geometry *geometry) {

@@ -144,8 +144,8 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 /* True if renderer_follow would rebuild a part with programs. A change of size alone does not. */
 bool renderer_makes_programs(const struct renderer *renderer, const struct renderer_desc *desc);
 
-/* Returns true if renderer_update follows a change (geometry_follow) from or to this geometry.
- * Panes, caustics, metaballs and levels of detail do not. */
+/* Returns true if renderer_update follows other triangles (geometry_follow) from or to this
+ * geometry: one without panes, caustics, metaballs and levels of detail. */
 bool renderer_follows(const struct renderer *renderer, const struct geometry *geometry);
 
 /* Uploads moved triangles, after geometry_pose or geometry_follow. Start with the geometry at time

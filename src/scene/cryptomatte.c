@@ -10,20 +10,18 @@
 
 enum { RANKS = 6 };
 
-/* Attributes of a layer; the key begins as the hash of the layer's name. */
-#define KEYS(key)                                                                                  \
+/* Attributes of a layer; its key is how the hash of its name begins. */
+#define LAYER(part, key)                                                                           \
     {                                                                                              \
-        "cryptomatte/" key "/name", "cryptomatte/" key "/hash", "cryptomatte/" key "/conversion",  \
-            "cryptomatte/" key "/manifest"                                                         \
+        "crypto." part, part, {                                                                    \
+            "cryptomatte/" key "/name", "cryptomatte/" key "/hash",                                \
+                "cryptomatte/" key "/conversion", "cryptomatte/" key "/manifest"                   \
+        }                                                                                          \
     }
 
 static const struct {
     const char *name, *part, *keys[4];
-} layers[] = {{"crypto.node", "node", KEYS("c28e8ce")},
-              {"crypto.mesh", "mesh", KEYS("ea63ba7")},
-              {"crypto.material", "material", KEYS("29c6b91")}};
-
-/* --- ids -------------------------------------------------------------------------------------- */
+} layers[] = {LAYER("node", "c28e8ce"), LAYER("mesh", "ea63ba7"), LAYER("material", "29c6b91")};
 
 static uint32_t rotate(uint32_t x, int bits) {
     return x << bits | x >> (32 - bits);
@@ -78,8 +76,6 @@ static uint32_t *list_ids(const struct surface_view *view, int layer, struct ima
     return ids;
 }
 
-/* --- coverage --------------------------------------------------------------------------------- */
-
 /* ranks: pairs of an id and how many samples have it. */
 static void add_sample(float *ranks, uint32_t id) {
     for (float *rank = ranks; rank < ranks + 2 * RANKS; rank += 2) {
@@ -92,15 +88,10 @@ static void add_sample(float *ranks, uint32_t id) {
     }
 }
 
+/* Falling by coverage. */
 static int compare_ranks(const void *a, const void *b) {
     const float *x = a, *y = b;
     return x[1] != y[1] ? (x[1] < y[1] ? 1 : -1) : memcmp(x, y, sizeof *x);
-}
-
-static void finish_pixel(float *ranks, int samples) {
-    qsort(ranks, RANKS, 2 * sizeof *ranks, compare_ranks);
-    for (int r = 0; r < RANKS; r++)
-        ranks[2 * r + 1] /= (float)samples;
 }
 
 bool cryptomatte_fill(const struct surface_view *view, int layer, uint32_t *numbers,
@@ -118,8 +109,11 @@ bool cryptomatte_fill(const struct surface_view *view, int layer, uint32_t *numb
                 add_sample(first + i * step, ids[numbers[triangles[i] - 1]]);
         free(triangles);
     }
-    for (size_t i = 0; i < pixels; i++)
-        finish_pixel(first + i * step, view->samples);
+    for (size_t i = 0; i < pixels; i++) {
+        qsort(first + i * step, RANKS, 2 * sizeof *first, compare_ranks);
+        for (size_t r = 0; r < RANKS; r++)
+            first[i * step + 2 * r + 1] /= (float)view->samples;
+    }
     mem_free(ids, numbers);
     return ok;
 }

@@ -179,7 +179,7 @@ static bool ask(struct search *search, const struct scene *scene, const struct g
     struct camera camera;
     camera_place(&camera, scene, 0, 0);
     texture_decode_table(search->srgb_to_linear);
-    surface_rays_init(&search->rays, scene, geometry);
+    surface_rays_init(&search->rays, scene, geometry, NULL);
     bool answer = question(search, &camera);
     surface_rays_free(&search->rays);
     return answer;

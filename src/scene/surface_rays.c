@@ -8,8 +8,10 @@
 enum { SURFACES = 8 }; /* culled backs that a ray passes */
 
 void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
-                       const struct geometry *geometry) {
-    *rays = (struct surface_rays){scene, geometry, .clearance = geometry_clearance(geometry)};
+                       const struct geometry *geometry, const struct bvh *tree) {
+    *rays = (struct surface_rays){scene, geometry, tree, .clearance = geometry_clearance(geometry)};
+    if (tree)
+        return;
     uint32_t count = geometry->blocking_index_count / 3;
     struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
     for (uint32_t i = 0; i < count; i++) {
@@ -17,12 +19,16 @@ void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
         triangles[i].corner =
             corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
     }
-    bvh_init(&rays->tree, triangles, count);
+    bvh_init(&rays->own, triangles, count);
 }
 
 void surface_rays_free(struct surface_rays *rays) {
-    bvh_free(&rays->tree);
+    bvh_free(&rays->own);
     *rays = (struct surface_rays){0};
+}
+
+static const struct bvh *tree_of(const struct surface_rays *rays) {
+    return rays->tree ? rays->tree : &rays->own;
 }
 
 static const struct material *material_of(const struct surface_rays *rays, uint32_t triangle) {
@@ -35,7 +41,7 @@ static const struct material *material_of(const struct surface_rays *rays, uint3
 bool surface_rays_find(const struct surface_rays *rays, vec3s origin, vec3s direction,
                        struct surface_hit *place) {
     for (int i = 0; i < SURFACES; i++) {
-        struct bvh_hit hit = bvh_ray_trace(&rays->tree, origin, direction);
+        struct bvh_hit hit = bvh_ray_trace(tree_of(rays), origin, direction);
         if (!hit.triangle)
             return false;
         const struct material *material = material_of(rays, hit.triangle->number);
@@ -76,10 +82,10 @@ bool surface_rays_blocked(const struct surface_rays *rays, vec3s from, vec3s to)
     float distance = glms_vec3_norm(path);
     if (!(distance > 0))
         return false;
-    struct bvh_hit hit = bvh_ray_trace(&rays->tree, from, glms_vec3_scale(path, 1 / distance));
+    struct bvh_hit hit = bvh_ray_trace(tree_of(rays), from, glms_vec3_scale(path, 1 / distance));
     return hit.distance < distance - rays->clearance;
 }
 
 bool surface_rays_leave(const struct surface_rays *rays, vec3s from, vec3s direction) {
-    return !bvh_ray_trace(&rays->tree, from, direction).triangle;
+    return !bvh_ray_trace(tree_of(rays), from, direction).triangle;
 }

@@ -10,7 +10,8 @@
 struct surface_rays {
     const struct scene *scene; /* must outlive the rays, as must the geometry */
     const struct geometry *geometry;
-    struct bvh tree; /* of the geometry in its pose at init */
+    const struct bvh *tree; /* of the geometry in its pose at init; NULL: `own` */
+    struct bvh own;
     float clearance;
 };
 
@@ -21,9 +22,10 @@ struct surface_hit {
     const struct material *material;
 };
 
-/* Builds the tree. The geometry must have a triangle. */
+/* tree: of all blocking triangles, must outlive the rays; NULL: builds one, of at least one
+ * triangle. */
 void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
-                       const struct geometry *geometry);
+                       const struct geometry *geometry, const struct bvh *tree);
 /* Accepts a zeroed object. */
 void surface_rays_free(struct surface_rays *rays);
 

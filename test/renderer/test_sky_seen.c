@@ -51,7 +51,7 @@ static void group(struct sky_groups *groups, struct environment_lights *lights,
     struct surface_rays rays;
     environment_lights_fit(lights, stage->emitters.sky, SKY_FIT_EVEN, 120);
     environment_lights_find_joins(lights);
-    surface_rays_init(&rays, &stage->scene, &stage->geometry);
+    surface_rays_init(&rays, &stage->scene, &stage->geometry, NULL);
     sky_groups_by_seen(groups, lights, DIRECTIONS, stage->emitters.sky, &rays, &stage->camera, 1);
     surface_rays_free(&rays);
 }

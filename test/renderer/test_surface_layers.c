@@ -215,14 +215,6 @@ TEST(motion) {
 
 /* --- mattes --- */
 
-/* Numbers of the specification, and a hash that is no normal float. */
-TEST(matte_ids) {
-    assert_int_equal(cryptomatte_id("bunny"), 0x13851a76);
-    assert_int_equal(cryptomatte_id("default"), 0x42c9679f);
-    assert_int_equal(cryptomatte_id("bunny_porcelain_mat"), 0xb24b26d4);
-    assert_int_equal(cryptomatte_id(""), 0x00800000);
-}
-
 /* The part of a pixel that a name has; NULL: all names together. */
 static double coverage_at(const struct image *image, int x, int y, const char *layer,
                           const char *name) {
@@ -240,61 +232,59 @@ static double coverage_at(const struct image *image, int x, int y, const char *l
 }
 
 /* A square's edge is a fifth of a pixel into the seventh column and row: pixels are 1/4 m wide. */
-static void check_square(const struct image *image, double tolerance) {
-    for (int i = 4; i < 8; i++) {
-        double side = i < 6 ? 1 : i == 6 ? .2 : 0;
-        check_near("edge", coverage_at(image, i, 4, "crypto.node", "node 2"), side, tolerance);
-        check_near("corner", coverage_at(image, i, i, "crypto.material", "material 2"), side * side,
-                   tolerance);
-        check_near("all", coverage_at(image, i, i, "crypto.mesh", NULL), 1, 1e-6);
-    }
-}
-
-TEST(matte_coverage) {
-    static const char names[] = "crypto.node,crypto.mesh,crypto.material";
+TEST(mattes) {
+    static const double tolerances[] = {1.5 / 16, .012};
+    static const char names[] = "crypto.node,crypto.material";
     OWNED(stage) stage;
     OWNED(renderer) renderer;
-    OWNED(image) frame, rays;
+    struct image images[2];
     open_squares(&stage, &(struct square){UP_NODE, 1, 1.1}, 1, 3);
     stage.camera.orthographic = true;
     stage.camera.y_extent = 1;
     open_renderer(&renderer, desc_of(&stage, "unshadowed", CHEAP "samples=16", 8, 8));
-    check_ok("read", renderer_read_layers(&renderer, &frame));
-    check_ok("append", aov_append(&renderer, names, NULL, &frame));
-    check_square(&frame, 1.5 / 16);
-    check_ok("trace", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
-                                                                    .geometry = &stage.geometry,
-                                                                    .camera = &stage.camera,
-                                                                    .emitters = stage.emitters,
-                                                                    .width = 8,
-                                                                    .height = 8,
-                                                                    .samples = 256,
-                                                                    .surface_layers = names},
-                                         &rays, NULL));
-    check_square(&rays, .012);
+    check_ok("read", renderer_read_layers(&renderer, &images[0]));
+    check_ok("append", aov_append(&renderer, names, NULL, &images[0]));
+    const struct path_tracer_desc desc = {.scene = &stage.scene,
+                                          .geometry = &stage.geometry,
+                                          .camera = &stage.camera,
+                                          .emitters = stage.emitters,
+                                          .width = 8,
+                                          .height = 8,
+                                          .samples = 256,
+                                          .surface_layers = names};
+    check_ok("trace", path_tracer_render(&desc, &images[1], NULL));
+    for (int n = 0; n < 8; n++) {
+        const struct image *image = &images[n / 4];
+        int i = 4 + n % 4;
+        double side = i < 6 ? 1 : i == 6 ? .2 : 0, tolerance = tolerances[n / 4];
+        check_near("edge", coverage_at(image, i, 4, "crypto.node", "node 2"), side, tolerance);
+        check_near("corner", coverage_at(image, i, i, "crypto.material", "material 2"), side * side,
+                   tolerance);
+        check_near("all", coverage_at(image, i, i, "crypto.node", NULL), 1, 1e-6);
+    }
+    images_free(&images[0], &images[1]);
 }
 
-/* The parts of a pixel are those that its samples see: its alpha. */
-TEST(matte_files) {
+/* Ids of the specification; what covers a pixel of a file is its alpha. */
+TEST(matte_file) {
+    OWNED(image) image;
+    int partial = 0;
+    assert_int_equal(cryptomatte_id("bunny"), 0x13851a76);
+    assert_int_equal(cryptomatte_id("bunny_porcelain_mat"), 0xb24b26d4);
+    assert_int_equal(cryptomatte_id(""), 0x00800000);
     expect(0, "% render scenes/plant.glb --size 40x40 -q -o @/a.exr --aov crypto.node");
-    expect(0, "% reference scenes/plant.glb --size 40x40 --spp 8 -q -o @/b.exr --aov crypto.node");
-    for (int i = 0; i < 2; i++) {
-        const char *path = form("%s", scratch(i ? "b.exr" : "a.exr"));
-        OWNED(image) image;
-        int partial = 0;
-        expect(0, form("grep -aq '\": \"[0-9a-f]\\{8\\}\"' %s", path));
-        check_ok("read", image_read(&image, path));
-        for (int p = 0; p < 40 * 40; p++) {
-            double alpha = (double)value_at(&image, p % 40, p / 40, "A");
-            double all = coverage_at(&image, p % 40, p / 40, "crypto.node", NULL);
-            assert_true(fabs(alpha - all) < 1e-3);
-            partial += alpha > 0 && alpha < 1;
-        }
-        assert_true(partial > 50);
+    expect(0, "grep -aq '\": \"[0-9a-f]\\{8\\}\"' @/a.exr");
+    check_ok("read", image_read(&image, scratch("a.exr")));
+    for (int p = 0; p < 40 * 40; p++) {
+        double alpha = (double)value_at(&image, p % 40, p / 40, "A");
+        double all = coverage_at(&image, p % 40, p / 40, "crypto.node", NULL);
+        assert_true(fabs(alpha - all) < 1e-3);
+        partial += alpha > 0 && alpha < 1;
     }
+    assert_true(partial > 50);
     expect(1,
            "% render scenes/plant.glb -o @/a.exr --size 16x16 --aov crypto.mesh --set samples=1");
-    expect_text("crypto.mesh is a part of several samples of a pixel, and picture.samples=1 has");
+    expect_text("crypto.mesh is of several samples of a pixel, and picture.samples=1 has one");
     expect(2, "% reference scenes/plant.glb -o @/a.exr --spp 4 --centers --aov crypto.mesh");
 }
 

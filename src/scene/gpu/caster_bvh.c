@@ -34,6 +34,7 @@ static bool upload(struct caster_bvh *tree, const struct stackless_bvh *stackles
 
 void caster_bvh_free(struct caster_bvh *tree) {
     buffer_free(&tree->buffer);
+    bvh_free(&tree->built);
     *tree = (struct caster_bvh){.of_panes = tree->of_panes};
 }
 
@@ -54,6 +55,7 @@ bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
         tree->pose = geometry->pose_count;
         return true;
     }
+    bool moves = tree->buffer.id;
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
     double start = clock_ms();
@@ -63,6 +65,8 @@ bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
     bool ok = upload(tree, &stackless);
     tree->pose = geometry->pose_count;
     stackless_bvh_free(&stackless);
-    bvh_free(&built);
+    bvh_free(moves ? &tree->built : &built);
+    if (moves)
+        tree->built = built;
     return ok;
 }

@@ -5,12 +5,14 @@
 #define SCENE_GPU_CASTER_BVH_H
 
 #include "gl/buffer.h"
+#include "scene/mesh/bvh.h"
 #include "scene/mesh/geometry.h"
 
 struct caster_bvh {
     struct buffer buffer;
-    unsigned pose; /* pose of the geometry at the last build */
-    bool of_panes; /* only panes (scene/mesh/pane_triangles.h); set it before the first update */
+    struct bvh built; /* on the CPU, once the geometry has moved; else none */
+    unsigned pose;    /* pose of the geometry at the last build */
+    bool of_panes;    /* only panes (scene/mesh/pane_triangles.h); set it before the first update */
 };
 
 /* Builds the BVH for the geometry's current pose; zeroed before the first call. Error: out of GPU

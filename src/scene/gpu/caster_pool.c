@@ -160,6 +160,13 @@ bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh 
     return true;
 }
 
+const struct bvh *caster_pool_built(const struct caster_pool *pool,
+                                    const struct geometry *geometry) {
+    bool is_it = pool->geometry == geometry && pool->tree.pose == geometry->pose_count &&
+                 geometry->opaque_index_count == geometry->blocking_index_count;
+    return is_it && pool->tree.built.nodes ? &pool->tree.built : NULL;
+}
+
 void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh **tree) {
     if (!*tree)
         return;

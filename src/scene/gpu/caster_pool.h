@@ -39,6 +39,11 @@ void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **cas
 /* Returns the shared BVH for rays. Error: that of caster_bvh_update. */
 bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
+/* Returns the tree that it was made of, if it is of all triangles of this geometry in its pose that
+ * are no panes, without cuts by masks; else NULL. */
+const struct bvh *caster_pool_built(const struct caster_pool *pool,
+                                    const struct geometry *geometry);
+
 /* Accepts a pointer to NULL, of any pool. */
 void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 

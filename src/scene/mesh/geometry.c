@@ -501,38 +501,34 @@ static bool differ(const void *a, const void *b, size_t first, size_t count, siz
     return memcmp((const char *)a + first * size, (const char *)b + first * size, count * size);
 }
 
-/* Compares what a new pose leaves as it is. */
-static bool have_same_layout(const struct geometry *a, const struct geometry *b) {
-    bool same = a->part_count == b->part_count && a->vertex_count == b->vertex_count &&
+/* Compares what poses leave as it is. Indices tell where parts lie. */
+static bool have_one_layout(const struct geometry *a, const struct geometry *b) {
+    size_t count = a->vertex_count;
+    bool same = a->part_count == b->part_count && count == b->vertex_count &&
                 a->index_count == b->index_count && a->mapping_count == b->mapping_count &&
-                memcmp(a->has_uv, b->has_uv, sizeof a->has_uv) == 0 && a->has_color == b->has_color;
-    for (int i = 0; same && i < a->part_count; i++)
-        same = a->parts[i].node == b->parts[i].node &&
-               a->parts[i].vertex_count == b->parts[i].vertex_count &&
-               a->parts[i].first_index == b->parts[i].first_index;
+                a->has_color == b->has_color && !differ(a->has_uv, b->has_uv, 0, 1, MAPPINGS_MAX) &&
+                !differ(a->indices, b->indices, 0, a->index_count, sizeof *a->indices);
     for (int m = 0; same && m < a->mapping_count; m++)
-        same = !a->has_uv[m] || !differ(a->uv[m], b->uv[m], 0, a->vertex_count, sizeof *a->uv[m]);
-    return same && (!a->color || !differ(a->color, b->color, 0, a->vertex_count, sizeof *a->color));
+        same = !a->has_uv[m] || !differ(a->uv[m], b->uv[m], 0, count, sizeof *a->uv[m]);
+    return same && (!a->color || !differ(a->color, b->color, 0, count, sizeof *a->color));
 }
 
-void geometry_follow(struct geometry *geometry, struct geometry *before) {
-    bool same = have_same_layout(geometry, before);
+void geometry_follow(struct geometry *geometry, const struct geometry *before) {
+    bool same = have_one_layout(geometry, before);
     unsigned now = before->pose_count + 1;
-    geometry->pose_count = geometry->changed = geometry->painted = now;
+    geometry->pose_count = geometry->painted = now;
     geometry->laid_out = same ? before->laid_out : now;
+    geometry->changed = same ? before->changed : now;
     for (int i = 0; i < geometry->part_count; i++) {
         struct geometry_part *part = &geometry->parts[i];
-        const struct geometry_part *old = &before->parts[i];
         size_t first = part->first_vertex, count = part->vertex_count;
         bool moved = !same ||
                      differ(geometry->position, before->position, first, count, sizeof(vec3)) ||
                      differ(geometry->normal, before->normal, first, count, sizeof(vec3));
-        bool rewound = !same || differ(geometry->indices, before->indices, part->first_index,
-                                       part->index_count, sizeof *before->indices);
-        part->moved = moved ? now : old->moved;
-        part->rewound = rewound ? now : old->rewound;
+        part->moved = moved ? now : before->parts[i].moved;
+        part->rewound = same ? before->parts[i].rewound : now;
+        geometry->changed = moved ? now : geometry->changed;
     }
-    geometry_free(before);
 }
 
 void geometry_block_glass(struct geometry *view, const struct geometry *geometry,

@@ -63,7 +63,7 @@ struct geometry {
     unsigned pose_count; /* number of poses, including that of geometry_init */
     unsigned laid_out;   /* pose of the last layout of the arrays */
     unsigned painted;    /* pose of the last layout or change of materials */
-    unsigned changed;    /* pose of the last geometry_follow */
+    unsigned changed;    /* pose of the last geometry_follow with other triangles */
     bool broken;         /* the last pose failed */
 
     struct geometry_span span;
@@ -87,9 +87,9 @@ void geometry_free(struct geometry *geometry);
  * vertex is too far away; the geometry is unusable until a pose succeeds. */
 bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 
-/* Counts on from a geometry of the scene before some meshes or nodes changed, and frees it. Marks
- * what differs. Users that depend on more than marks remake it. */
-void geometry_follow(struct geometry *geometry, struct geometry *before);
+/* Counts on from the geometry before meshes, nodes or colours of the scene changed, and marks the
+ * parts that differ. What is made of a pose's triangles is to be made anew after `changed`. */
+void geometry_follow(struct geometry *geometry, const struct geometry *before);
 
 /* Fills a view with the arrays of `geometry` in which glass (SMOOTH_GLASS) blocks light, as
  * caustics need it. The view owns nothing and is invalid after the next pose. */

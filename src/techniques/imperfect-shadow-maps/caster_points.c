@@ -40,7 +40,7 @@ void caster_points_free(struct caster_points *points) {
 void caster_points_place(struct caster_points *points, const struct geometry *geometry) {
     if (points->pose == geometry->pose_count)
         return;
-    if (points->dealt_by_pose && points->pose != 0) {
+    if ((points->dealt_by_pose || geometry->changed > points->pose) && points->pose != 0) {
         surface_points_free(&points->points);
         deal(points, geometry);
     }
