@@ -67,7 +67,8 @@ struct technique_values {
              "a name with , ; or =: by number"},                                                    \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2); or\n" \
-             "a sky by formula: \"cie:TYPE,elevation=45,azimuth=180,horizontal=10000\""},           \
+             "a sky by formula: \"cie:TYPE,elevation=45,azimuth=180,horizontal=10000\"\n"           \
+             "or \"preetham:TURBIDITY,elevation=45,azimuth=180\""},                                 \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \
      .help = "rotation of the environment about +Y, degrees, from +Z towards +X", .rare = true},   \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \

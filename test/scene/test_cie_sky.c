@@ -12,11 +12,16 @@ static struct environment *make(const char *text) {
 }
 
 /* azimuth from -Z towards +X and elevation, degrees. */
-static double at(const struct environment *sky, double azimuth, double elevation) {
+static void color_at(const struct environment *sky, double azimuth, double elevation,
+                     float rgb[3]) {
     double a = azimuth * GLM_PI / 180, e = elevation * GLM_PI / 180;
-    float rgb[3];
     const float direction[3] = {(float)(sin(a) * cos(e)), (float)sin(e), (float)(-cos(a) * cos(e))};
     environment_radiance(sky, direction, rgb);
+}
+
+static double at(const struct environment *sky, double azimuth, double elevation) {
+    float rgb[3];
+    color_at(sky, azimuth, elevation, rgb);
     return (double)rgb[1];
 }
 
@@ -81,6 +86,63 @@ TEST(clear) {
     environment_free(sky);
 }
 
+/* Luminance, x and y of BT.709's colours. */
+static void luminance_at(const struct environment *sky, double azimuth, double elevation,
+                         double xyy[3]) {
+    float rgb[3];
+    color_at(sky, azimuth, elevation, rgb);
+    double r = (double)rgb[0], g = (double)rgb[1], b = (double)rgb[2];
+    double x = .4124 * r + .3576 * g + .1805 * b, z = .0193 * r + .1192 * g + .9505 * b;
+    xyy[0] = .2126 * r + .7152 * g + .0722 * b;
+    xyy[1] = x / (x + xyy[0] + z);
+    xyy[2] = xyy[0] / (x + xyy[0] + z);
+}
+
+/* The zenith of turbidity 2 and a sun at 45 degrees, and of 6 and 70, by a pocket calculator from
+ * the paper's formulas; then its luminance elsewhere over that of the zenith. */
+TEST(preetham) {
+    static const struct {
+        const char *text;
+        double zenith[3], a, b, c, d, e;
+    } skies[] = {
+        {"preetham:2,elevation=45,azimuth=90",
+         {4.4696, .24095, .24372},
+         -1.1056,
+         -.2833,
+         5.2797,
+         -2.3359,
+         .2363},
+        {"preetham:6,elevation=70,azimuth=90",
+         {28.919, .26728, .28018},
+         -.3908,
+         -1.7049,
+         5.1889,
+         -1.8535,
+         -.0317},
+    };
+    for (size_t i = 0; i < sizeof skies / sizeof *skies; i++) {
+        struct environment *sky = make(skies[i].text);
+        double found[3], zenith[3], zs = (i ? 20 : 45) * GLM_PI / 180;
+        luminance_at(sky, 10, 89.7, zenith);
+        check_near("luminance", zenith[0] / skies[i].zenith[0], 1, .01);
+        check_near("x", zenith[1], skies[i].zenith[1], .0005);
+        check_near("y", zenith[2], skies[i].zenith[2], .0005);
+        for (int k = 0; k < 6; k++) {
+            double z = (10 + 14 * k) * GLM_PI / 180, turn = 63. * k;
+            double apart = acos(cos(zs) * cos(z) + sin(zs) * sin(z) * cos(turn * GLM_PI / 180));
+            luminance_at(sky, 90 + turn, 90 - z * 180 / GLM_PI, found);
+            check_near(
+                "over the zenith's",
+                found[0] / zenith[0] * (1 + skies[i].a * exp(skies[i].b)) *
+                    (1 + skies[i].c * exp(skies[i].d * zs) + skies[i].e * pow(cos(zs), 2)) /
+                    ((1 + skies[i].a * exp(skies[i].b / cos(z))) *
+                     (1 + skies[i].c * exp(skies[i].d * apart) + skies[i].e * pow(cos(apart), 2))),
+                1, .04);
+        }
+        environment_free(sky);
+    }
+}
+
 TEST(refusals) {
     static const char *const texts[][2] = {
         {"cie:", "cie:: type: '' is not a whole number from 1 to 16"},
@@ -92,6 +154,8 @@ TEST(refusals) {
         {"cie:5,elevation=-3", "'-3' is not a number from 0 to 90"},
         {"cie:5,zenith=nan", "'nan' is not a number"},
         {"cie:5,zenith=", "zenith"},
+        {"preetham:1", "turbidity: '1' is not a number from 2 to 10"},
+        {"preetham:3,type=2", "'type=2': it wants TURBIDITY,azimuth="},
         {"cie:5,zenith=1,horizontal=1", "zenith and horizontal exclude each other"},
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
