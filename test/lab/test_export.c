@@ -259,9 +259,9 @@ TEST(povray) {
 /* Scripts refuse what they cannot draw before they start anything. */
 TEST(scripts_refuse) {
     need_command("python3 -c 1");
-    expect(0, "rm -rf @/lamp; % export scenes/table.glb -o @/lamp -q");
+    expect(0, "rm -rf @/lamp; % export scenes/courtyard.glb -o @/lamp -q");
     expect(1, "python3 bench/entries/povray/entry.py @/refused @/lamp");
-    expect_text("an environment or emissive surfaces");
+    expect_text("an environment; this script draws points, spots and emissive surfaces alone");
     expect(1, "python3 bench/entries/povray/entry.py @/refused @/nowhere");
     expect_text("no scene pack");
     expect(1, "rm -rf @/far; % export scenes/cornell-box.glb -o @/far --size 8x8 -q &&"

@@ -1,99 +1,40 @@
-"""Draws scene packs with POV-Ray's radiosity and writes an entry that bench/score.py reads.
+"""Draws scene packs with POV-Ray's radiosity and photons and writes an entry that bench/score.py reads.
 
-    python3 bench/entries/povray/entry.py ENTRY PACK...
+    python3 bench/entries/povray/entry.py ENTRY PACK... [--count N] [--photons N]
 
-ENTRY is the folder to fill, PACK a folder that `manylight export` made. Points and spots without size, diffuse surfaces of
-one colour; other packs are refused. Tried with POV-Ray 3.7.
+ENTRY is the folder to fill, PACK a folder that `manylight export` made. Points and spots without size, surfaces of one
+colour: diffuse, emissive, smooth metal, clear glass; other packs are refused. Both sides of a surface are its front.
+Tried with POV-Ray 3.7.
 """
 import argparse
-import hashlib
-import json
 import math
 import os
-import statistics
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from scene_pack import read_pack, write_method  # noqa: E402
+
 # POV-Ray's lights fade with 2 / (1 + (d / FADE)^2): far beyond FADE, metres, with the square of the distance.
 FADE = 0.01
-
-
-class Glb:
-    """Of GLBs what the project's own have: float accessors without sparse parts."""
-
-    def __init__(self, path):
-        with open(path, "rb") as file:
-            data = file.read()
-        size = struct.unpack_from("<I", data, 12)[0]
-        self.json = json.loads(data[20 : 20 + size])
-        self.bytes = data[28 + size :]
-        self.meshes = []
-        for root in self.json["scenes"][self.json.get("scene", 0)]["nodes"]:
-            self.walk(root, [[float(i == j) for j in range(4)] for i in range(4)])
-
-    def read(self, number):
-        accessor = self.json["accessors"][number]
-        view = self.json["bufferViews"][accessor["bufferView"]]
-        count = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
-        letter = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
-        stride = view.get("byteStride", struct.calcsize(letter) * count)
-        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        return [struct.unpack_from(f"<{count}{letter}", self.bytes, start + i * stride)
-                for i in range(accessor["count"])]
-
-    def walk(self, number, parent):
-        node = self.json["nodes"][number]
-        world = multiply(parent, matrix_of(node))
-        for primitive in self.json["meshes"][node["mesh"]]["primitives"] if "mesh" in node else []:
-            points = [apply(world, point, 1) for point in self.read(primitive["attributes"]["POSITION"])]
-            indices = ([row[0] for row in self.read(primitive["indices"])] if "indices" in primitive
-                       else list(range(len(points))))
-            self.meshes.append((points, indices, self.json["materials"][primitive["material"]]))
-        for child in node.get("children", []):
-            self.walk(child, world)
-
-
-def matrix_of(node):
-    if "matrix" in node:
-        return [[node["matrix"][4 * j + i] for j in range(4)] for i in range(4)]
-    x, y, z, w = node.get("rotation", [0, 0, 0, 1])
-    move, scale = node.get("translation", [0, 0, 0]), node.get("scale", [1, 1, 1])
-    turn = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
-    return [[turn[i][j] * scale[j] for j in range(3)] + [move[i]] for i in range(3)] + [[0, 0, 0, 1]]
-
-
-def multiply(a, b):
-    return [[sum(a[i][k] * b[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
-
-
-def apply(matrix, point, w):
-    return [sum(matrix[i][j] * point[j] for j in range(3)) + w * matrix[i][3] for i in range(3)]
 
 
 def vector(values, factor=1.0):
     return "<" + ",".join(f"{factor * value:.9g}" for value in values) + ">"
 
 
-def refuse(folder, reason):
-    sys.exit(f"entry.py: {folder}: {reason}; this script draws points, spots and diffuse colours alone")
+def between(a, b, fraction=1.0):
+    return [p + fraction * (q - p) for p, q in zip(a, b)]
 
 
-def check(folder, pack, glb):
-    if pack["environment"] or pack["emissive_surfaces"]:
-        refuse(folder, "an environment or emissive surfaces")
-    for light in pack["lights"]:
-        if light["type"] not in ("point", "spot") or light["shape"] != "point" or light["range"]:
-            refuse(folder, f"a light of type {light['type']} with a size or a range")
-    for _, _, material in glb.meshes:
-        if "baseColorTexture" in material.get("pbrMetallicRoughness", {}):
-            refuse(folder, "textures")
-    if pack["camera"]["type"] != "perspective":
-        refuse(folder, "an orthographic camera")
+def minus(a, b):
+    return [p - q for p, q in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def camera_text(camera, picture):
@@ -103,61 +44,96 @@ def camera_text(camera, picture):
             f"{vector(camera['right'], picture['width'] / picture['height'])} }}\n")
 
 
+def source_text(position, intensity, more=""):
+    """intensity: W/sr. A diffuse surface of POV-Ray reflects colour x light, without 1 / pi."""
+    color = vector(intensity, 1 / (math.pi * 2 * FADE * FADE))
+    return (f"light_source {{ {vector(position)} color rgb {color}\n fade_distance {FADE} fade_power 2{more}"
+            " photons { reflection on refraction on } }\n")
+
+
 def light_text(light):
-    """A diffuse surface of POV-Ray reflects colour x light, without 1 / pi. A spot's edge is a smoothstep of the
-    cosine, moved so that the flux is the same."""
-    color = vector(light["intensity"], 1 / (math.pi * 2 * FADE * FADE))
-    text = (f"light_source {{ {vector(light['position'])} color rgb {color}\n"
-            f" fade_distance {FADE} fade_power 2")
+    """A spot's edge is a smoothstep of the cosine, moved so that the flux is the same."""
+    more = ""
     if light["type"] == "spot":
         width = max(0.001, light["cos_inner"] - light["cos_outer"])
         inner = light["cos_outer"] + width
         at = [a + b for a, b in zip(light["position"], light["direction"])]
-        text += (f" spotlight point_at {vector(at)} tightness 0"
-                 f" radius {math.degrees(math.acos(inner)):.9g}"
-                 f" falloff {math.degrees(math.acos(inner - 2 * width / 3)):.9g}")
-    return text + " }\n"
+        more = (f" spotlight point_at {vector(at)} tightness 0 radius {math.degrees(math.acos(inner)):.9g}"
+                f" falloff {math.degrees(math.acos(inner - 2 * width / 3)):.9g}")
+    return source_text(light["position"], light["intensity"], more)
 
 
-def mesh_text(points, indices, material):
-    color = material.get("pbrMetallicRoughness", {}).get("baseColorFactor", [1, 1, 1, 1])
-    faces = [indices[i : i + 3] for i in range(0, len(indices), 3)]
-    return (f"mesh2 {{ vertex_vectors {{ {len(points)}, {', '.join(map(vector, points))} }}\n"
-            f" face_indices {{ {len(faces)}, {', '.join('<%d,%d,%d>' % tuple(face) for face in faces)} }}\n"
-            f" texture {{ pigment {{ color rgb {vector(color[:3])} }} }} }}\n")
+def lamp_text(mesh, parts):
+    """An emissive triangle as parts^2 lights with the cosine of a diffuse emitter, in the middles of even triangles."""
+    text = ""
+    for face in mesh.faces if any(mesh.surface.radiance) else []:
+        a, b, c = (mesh.points[i] for i in face)
+        doubled = cross(minus(b, a), minus(c, a))
+        area = math.hypot(*doubled) / 2
+        normal = [value / (2 * area) for value in doubled]
+        for i in range(parts):
+            for j in range(parts - i):
+                for third in (1 / 3, 2 / 3)[: 1 if i + j == parts - 1 else 2]:
+                    at = [p + q + r - 2 * s + 1e-5 * n for p, q, r, s, n in
+                          zip(between(a, b, (i + third) / parts), between(a, c, (j + third) / parts), a, a, normal)]
+                    more = f" spotlight point_at {vector([p + n for p, n in zip(at, normal)])} tightness 1 radius 90 falloff 90"
+                    text += source_text(at, [area / parts**2 * value for value in mesh.surface.radiance], more)
+    return text
 
 
-def scene_text(pack, glb):
-    bounces = pack["picture"]["bounces"]
-    radiosity = (f" radiosity {{ count 800 nearest_count 10 error_bound 0.2 low_error_factor 0.5 gray_threshold 0\n"
+def surface_text(surface, photons):
+    color = surface.color
+    if any(surface.radiance):  # its light_sources light the scene, not its picture
+        return (f" no_radiosity texture {{ pigment {{ color rgb {vector(surface.radiance)} }}\n"
+                " finish { emission 1 diffuse 0 } }")
+    if surface.kind == "diffuse":
+        return f" texture {{ pigment {{ color rgb {vector(color)} }} }}"
+    if photons == 0:
+        return " texture { pigment { color rgb 0 } }"
+    target = " photons { target reflection on refraction on collect off }"
+    if surface.kind == "mirror":
+        return (f" texture {{ pigment {{ color rgb 0 }} finish {{ diffuse 0 reflection {{ rgb {vector(color)} }} }} }}"
+                + target)
+    # Light fades with exp((fade_color - 1) x length / fade_distance).
+    distance, tint = surface.attenuation
+    fade = [1 + math.log(value) / 4 for value in tint]
+    return (" texture { pigment { color rgbt 1 } finish { diffuse 0 reflection { 0, 1 fresnel on } conserve_energy } }\n"
+            f" interior {{ ior {surface.ior} fade_power 1001 fade_distance {distance / 4:.9g} fade_color rgb {vector(fade)} }}"
+            + target)
+
+
+def mesh_text(mesh, photons):
+    normals = ""
+    if mesh.normals and mesh.surface.kind != "diffuse":
+        normals = f" normal_vectors {{ {len(mesh.normals)}, {', '.join(map(vector, mesh.normals))} }}\n"
+    return (f"mesh2 {{ vertex_vectors {{ {len(mesh.points)}, {', '.join(map(vector, mesh.points))} }}\n{normals}"
+            f" face_indices {{ {len(mesh.faces)}, {', '.join('<%d,%d,%d>' % face for face in mesh.faces)} }}\n"
+            f"{surface_text(mesh.surface, photons)} }}\n")
+
+
+def scene_text(pack, glb, arguments):
+    bounces = min(pack["picture"]["bounces"], 20)
+    radiosity = (f" radiosity {{ count {arguments.count} nearest_count 10 error_bound {arguments.error_bound}\n"
+                 " low_error_factor 0.5 gray_threshold 0\n"
                  f" recursion_limit {bounces} brightness 1 adc_bailout 1e-6 pretrace_start 0.08 pretrace_end 0.01 }}\n"
                  if bounces else "")
-    return ("#version 3.7;\nglobal_settings { assumed_gamma 1.0 adc_bailout 1e-6\n" + radiosity + "}\n"
-            "#default { finish { ambient 0 diffuse 1 } }\nbackground { color rgb 0 }\n"
+    smooth = arguments.photons and any(mesh.surface.kind in ("mirror", "glass") for mesh in glb.meshes)
+    photons = (f" photons {{ count {arguments.photons} autostop 0 jitter 0.4 gather 20, 100 max_trace_level 32\n"
+               " adc_bailout 1e-4 }\n" if smooth else "")
+    return ("#version 3.7;\nglobal_settings { assumed_gamma 1.0 adc_bailout 1e-6 max_trace_level 32\n" + radiosity + photons
+            + "}\n#default { finish { ambient 0 diffuse 1 } }\nbackground { color rgb 0 }\n"
             + camera_text(pack["camera"], pack["picture"]) + "".join(map(light_text, pack["lights"]))
-            + "".join(mesh_text(*mesh) for mesh in glb.meshes))
+            + "".join(lamp_text(mesh, arguments.lamp_parts) for mesh in glb.meshes)
+            + "".join(mesh_text(mesh, arguments.photons) for mesh in glb.meshes))
 
 
-def sha256_of(path):
-    with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).hexdigest()
-
-
-def draw(folder, entry):
-    try:
-        with open(os.path.join(folder, "scene.json")) as file:
-            pack = json.load(file)
-    except (OSError, ValueError) as error:
-        sys.exit(f"entry.py: {folder}: no scene pack: {error}")
-    path = os.path.join(folder, pack["scene"]["file"])
-    glb, picture = Glb(path), pack["picture"]
-    if os.path.basename(picture["file"]) != picture["file"]:
-        sys.exit(f"entry.py: {folder}: picture.file is no plain name")
-    check(folder, pack, glb)
+def draw(folder, pack, glb, arguments):
+    picture = pack["picture"]
     with tempfile.NamedTemporaryFile("w", suffix=".pov", delete=False) as file:
-        file.write(scene_text(pack, glb))
-    command = ["povray", f"+I{file.name}", f"+O{os.path.join(entry, picture['file'])}", f"+W{picture['width']}",
-               f"+H{picture['height']}", "+FE", "-D", "-GD", "-GR", "-GS", "-GW", "+A0.0", "+AM1", "+R4", "-J"]
+        file.write(scene_text(pack, glb, arguments))
+    aa = ["+A0.0", "+AM1", f"+R{arguments.samples}", "-J"] if arguments.samples > 1 else ["-A"]
+    command = ["povray", f"+I{file.name}", f"+O{os.path.join(arguments.entry, picture['file'])}", f"+W{picture['width']}",
+               f"+H{picture['height']}", "+FE", "-D", "-GD", "-GR", "-GS", "-GW", *aa]
     start = time.monotonic()
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
@@ -175,24 +151,17 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("entry")
     parser.add_argument("packs", nargs="+")
+    parser.add_argument("--count", type=int, default=800, help="rays of a radiosity sample")
+    parser.add_argument("--error-bound", type=float, default=.2, help="of radiosity; smaller: more samples")
+    parser.add_argument("--photons", type=int, default=1000000, help="photons to mirrors and glass; 0: these are black")
+    parser.add_argument("--lamp-parts", type=int, default=4, help="lights along each side of an emissive triangle")
+    parser.add_argument("--samples", type=int, default=4, help="samples along each side of a pixel")
     arguments = parser.parse_args()
+    packs = [(folder, *read_pack(folder)) for folder in arguments.packs]
     os.makedirs(arguments.entry, exist_ok=True)
-    drawn = [draw(folder, arguments.entry) for folder in arguments.packs]
-    method = {
-        "name": "POV-Ray radiosity",
-        "version": "3.7",
-        "url": "https://www.povray.org",
-        "licence": "AGPL-3.0-or-later",
-        "ms": {"median": 1000 * statistics.median(seconds for _, seconds in drawn), "p99": None,
-               "frames": len(drawn), "covers": "the program from start to end"},
-        "history_frames": 0,
-        "denoiser": None,
-        "hardware_rays": False,
-        "sha256": {file: sha256_of(os.path.join(arguments.entry, file)) for file, _ in drawn},
-    }
-    with open(os.path.join(arguments.entry, "method.json"), "w") as file:
-        json.dump(method, file, indent=1)
-        file.write("\n")
+    drawn = [draw(*pack, arguments) for pack in packs]
+    write_method(arguments.entry, drawn, name="POV-Ray radiosity", version="3.7", url="https://www.povray.org",
+                 licence="AGPL-3.0-or-later")
 
 
 main()
