@@ -225,8 +225,8 @@ include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 
-BENCHES := validate bench chart accuracy methods fronts parsimony direct convergence stability table figures
+BENCHES := validate outsiders bench chart accuracy methods fronts parsimony direct convergence stability table figures
 .PHONY: $(BENCHES)
-validate table: python
+validate outsiders table: python
 $(BENCHES): all
 	@$(MAKE) --no-print-directory -f bench/Makefile $@ BUILD=$(BUILD) BINARY=$(BINARY) SCENE_NAMES="$(SCENE_NAMES)" PYTHON="$(PYTHON)"

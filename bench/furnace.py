@@ -100,9 +100,14 @@ def plate(height=0, up=1, size=5):
     return Mesh(corners, [[0, 1, 2], [0, 2, 3]], uvs=[(0, 0), (1, 0), (1, 1), (0, 1)])
 
 
+def parts_of(row):
+    """Meshes, and members of glTF's JSON."""
+    return [plate()] + ([plate(-1, -1)] if row.more.get("thick") else []), normal_map() if row.more.get("tilted") else {}
+
+
 def scene_of(row, environment):
-    meshes = [plate()] + ([plate(-1, -1)] if row.more.get("thick") else [])
-    return open_glb(meshes, [row.material], environment, **(normal_map() if row.more.get("tilted") else {}))
+    meshes, more = parts_of(row)
+    return open_glb(meshes, [row.material], environment, **more)
 
 
 def camera(angle, size=.5):
