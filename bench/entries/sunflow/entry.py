@@ -18,9 +18,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, ".."))
 from scene_pack import read_pack, stop, write_method  # noqa: E402
 
-# Units of Sunflow a metre. It looks for photons within .05 x radius^2 of a plane .001 off the surface: in metres it finds none.
-SCALE = 100
 # Units of Sunflow a metre. It takes photons within .05 x radius^2 of a plane .001 off the surface: in metres it finds none.
+SCALE = 100
+JARS = os.environ.get("SUNFLOW_JARS", "/usr/share/java/sunflow.jar:/usr/share/java/janino.jar:/usr/share/java/commons-compiler.jar")
 # Light passes glass with exp((color - 1) x length / distance), and shadows with 1 - color at each side: a color near 1.
 NEAR_ONE = 1000
 
