@@ -192,12 +192,12 @@ def furnace_packs(folder):
     white = f"{folder}/furnace/white.exr"
     manylight.write(white, {"beauty": np.ones((32, 64, 3), np.float32)})
     for number, row in enumerate(furnace.materials()):
-        path = f"{folder}/furnace/{number:02}.glb"
         meshes, more = furnace.parts_of(row)
-        with open(path, "wb") as file:
-            file.write(glb(meshes, [row.material], **more))
         packs = []
         for angle in furnace.ANGLES:
+            path = f"{folder}/furnace/{number:02}-{angle}.glb"  # pictures have the names of scenes
+            with open(path, "wb") as file:
+                file.write(glb(meshes, [row.material], **more))
             away = [3 * math.sin(math.radians(angle)), 3 * math.cos(math.radians(angle)), 0]
             view = (f"eye={away[0]},{away[1]},0 forward={-away[0] / 3},{-away[1] / 3},0 up=0,0,1 extent=.5")
             packs.append(packed(folder, path, f"furnace/{number:02}-{angle}", "--size", "16x16", "--bounces", 16,
