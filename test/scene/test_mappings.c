@@ -6,6 +6,7 @@
 
 #include "scene/hash.h"
 #include "scene/material.h"
+#include "scene/texture.h"
 
 #include <cglm/cglm.h>
 
