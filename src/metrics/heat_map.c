@@ -28,12 +28,14 @@ enum {
 static const float pi = 3.14159265f;
 
 float heat_map_fit_top(const float *values, size_t count) {
-    size_t step = 1 + count / FIT_VALUES, used = 0;
-    float *magnitudes = mem_alloc(1 + count / step, sizeof *magnitudes), largest = 0;
-    for (size_t i = 0; i < count; i++) {
+    size_t used = count < FIT_VALUES ? count : FIT_VALUES;
+    float *magnitudes = mem_alloc(used, sizeof *magnitudes), largest = 0;
+    for (size_t i = 0; i < count; i++)
         largest = fmaxf(largest, fabsf(values[i]));
-        if (i % step == 0)
-            magnitudes[used++] = fabsf(values[i]);
+    for (size_t k = 0; k < used; k++) {
+        double turns = (double)k * .618033988749895;
+        size_t i = used == count ? k : (size_t)((turns - floor(turns)) * (double)count);
+        magnitudes[k] = fabsf(values[i]);
     }
     float most = quantile(magnitudes, used, 0.99);
     free(magnitudes);

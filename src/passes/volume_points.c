@@ -150,6 +150,8 @@ static void place_some(void *context, size_t run) {
 bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry) {
     if (points->dealt == geometry->pose_count)
         return true;
+    if (geometry->painted > points->dealt)
+        return false;
     for (int p = 0; p < geometry->part_count; p++) {
         const struct geometry_part *part = &geometry->parts[p];
         if (part->moved > points->dealt && (points->cut[p] || is_cut(&points->desc.box, part)))

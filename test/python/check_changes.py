@@ -18,16 +18,16 @@ SKIES = ("scenes/day.hdr", "cie:12,elevation=40")
 MORE = ({"settings": {"path": "maps"}}, {"technique": "imperfect-volume"}, {"technique": "implicit-visibility"},
         {"technique": "imperfect-shadow-maps"}, {"technique": "cluster-lights"}, {"technique": "lightcuts"},
         {"technique": "row-column"}, {"lights_bounces": 3}, {"passes": 3}, {"direct": "pcss", "keep_lights": True})
-LAYERS = ["beauty", "indirect", "direct", "albedo", "Z", "id.material"]
+LAYERS = ["beauty", "indirect", "direct", "albedo", "Z", "id.material", "ao"]
 
 
 def sheet(height, at=0.):
     return Mesh(np.stack([X + np.float32(at), height * np.sin(4 * X), Z], 1), FACES)
 
 
-def scene_of(height=.1, color=(.8, .2, .2, 1), at=0., glow=0., **more):
+def scene_of(height=.1, color=(.8, .2, .2, 1), at=0., glow=0., mesh=None, **more):
     """A sheet over another, and a triangle that may glow."""
-    return Scene(meshes=[sheet(height), sheet(0, at), Mesh(np.eye(3) * .2, material=1)],
+    return Scene(meshes=[mesh or sheet(height), sheet(0, at), Mesh(np.eye(3) * .2, material=1)],
                  materials=[Material(color), Material(emission=(glow,) * 3, double_sided=True)],
                  lights=[Light("spot", (0, 2, 0), intensity=(9, 9, 9))], cameras=[Camera((0, 2, 3), (0, -2, -3))], **more)
 
@@ -53,11 +53,12 @@ def check_arrays(device, **options):
     scene, now, seen = scene_of(), {}, []
     with device.renderer(scene, (40, 30), **options) as renderer:
         for name, change, more in (
-                ("first", lambda: None, {}),
+                ("fewer", lambda: scene.set_mesh(1, Mesh(np.eye(3))), {"mesh": Mesh(np.eye(3))}),
+                ("first", lambda: scene.set_mesh(1, sheet(.1)), {"mesh": None}),
                 ("mesh", lambda: scene.set_mesh(1, sheet(.3)), {"height": .3}),
                 ("other mesh", lambda: scene.set_mesh(1, Mesh(np.eye(3))), None),
-                ("colour", lambda: (scene.set_mesh(1, sheet(.3)), scene.set_material(1, Material((.1, .7, .2, 1)))),
-                 {"color": (.1, .7, .2, 1)}),
+                ("back", lambda: scene.set_mesh(1, sheet(.3)), {}),
+                ("colour", lambda: scene.set_material(1, Material((.1, .7, .2, 1))), {"color": (.1, .7, .2, 1)}),
                 ("node", lambda: scene.set_node(2, moved(.25)), {"at": .25}),
                 ("lamp", lambda: scene.set_material(2, Material(emission=(5, 5, 5), double_sided=True)), {"glow": 5})):
             change()
@@ -65,6 +66,41 @@ def check_arrays(device, **options):
             seen.append(same(device, name, renderer, scene, scene_of(**now), **options) if more is not None
                         else renderer.render()["beauty"])
     assert all(not np.array_equal(a, b) for a, b in zip(seen, seen[1:]))
+
+
+def check_parts(device):
+    """Triangles move from one mesh to the other, in the same order."""
+    corners = np.array([[-1, 0, 1], [1, 0, 1], [0, 0, -1], [-1, .5, 1], [1, .5, 1], [0, .5, -1], [-2, 1, -1], [2, 1, -1],
+                        [0, 2, -1]], float)
+
+    def split(n):
+        return Scene(meshes=[Mesh(corners[:n]), Mesh(corners[n:], material=1)],
+                     materials=[Material((.9, .1, .1, 1)), Material((.1, .1, .9, 1))],
+                     lights=[Light("spot", (0, 4, 2), intensity=(9, 9, 9))], cameras=[Camera((0, 2, 3), (0, -2, -3))])
+    scene = split(6)
+    with device.renderer(scene, (40, 30)) as renderer:
+        renderer.render()
+        scene.set_mesh(1, Mesh(corners[:3]))
+        scene.set_mesh(2, Mesh(corners[3:], material=1))
+        same(device, "parts", renderer, scene, split(3))
+
+
+def check_solid(device):
+    """A camera moves into a box, whose maps then have its backs."""
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (0, 2) for z in (-1, 1)], float)
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4],
+             [1, 5, 7], [1, 7, 3]]
+
+    def seen_from(z):
+        return Scene(meshes=[Mesh(corners, faces), Mesh(corners * [3, 0, 3] - [0, .1, 0], faces)], materials=[Material()],
+                     lights=[Light("spot", (2, 4, 2), (-.5, -1, -.5), (99, 99, 99))],
+                     cameras=[Camera((0, 1, z), (0, 0, -1))])
+    scene, inside = seen_from(5), np.eye(4)
+    inside[1, 3] = 1
+    with device.renderer(scene, (40, 30), settings={"path": "maps"}) as renderer:
+        renderer.render()
+        scene.set_node(4, inside)
+        same(device, "solid", renderer, scene, seen_from(0), settings={"path": "maps"})
 
 
 def check_sky(device):
@@ -138,6 +174,8 @@ def main():
         for options in MORE[:None if os.environ.get("MANYLIGHT_LONG") else 2]:
             print(f"  {options}")
             check_arrays(device, **options)
+        check_parts(device)
+        check_solid(device)
         check_sky(device)
         check_file(device)
         check_refusals(device)

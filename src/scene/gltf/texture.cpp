@@ -217,7 +217,7 @@ int texture_source(const tinygltf::Texture &texture) {
 
 void note_texture_sizes(const Loader &loader) {
     if (loader.texture_side > 0)
-        log_note("%s: textures are scaled down to at most %d texels a side: all of them take too "
+        log_note("%s: the largest textures are scaled down, some to %d texels a side: all take too "
                  "much memory",
                  loader.scene->path, loader.texture_side);
 }

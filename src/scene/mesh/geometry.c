@@ -501,13 +501,21 @@ static bool differ(const void *a, const void *b, size_t first, size_t count, siz
     return memcmp((const char *)a + first * size, (const char *)b + first * size, count * size);
 }
 
-/* Compares what poses leave as it is. Indices tell where parts lie. */
+static bool have_one_place(const struct geometry_part *a, const struct geometry_part *b) {
+    return a->node == b->node && a->primitive == b->primitive &&
+           a->first_vertex == b->first_vertex && a->vertex_count == b->vertex_count &&
+           a->first_index == b->first_index && a->index_count == b->index_count;
+}
+
+/* Compares what poses leave as it is. */
 static bool have_one_layout(const struct geometry *a, const struct geometry *b) {
     size_t count = a->vertex_count;
     bool same = a->part_count == b->part_count && count == b->vertex_count &&
                 a->index_count == b->index_count && a->mapping_count == b->mapping_count &&
                 a->has_color == b->has_color && !differ(a->has_uv, b->has_uv, 0, 1, MAPPINGS_MAX) &&
                 !differ(a->indices, b->indices, 0, a->index_count, sizeof *a->indices);
+    for (int i = 0; same && i < a->part_count; i++)
+        same = have_one_place(&a->parts[i], &b->parts[i]);
     for (int m = 0; same && m < a->mapping_count; m++)
         same = !a->has_uv[m] || !differ(a->uv[m], b->uv[m], 0, count, sizeof *a->uv[m]);
     return same && (!a->color || !differ(a->color, b->color, 0, count, sizeof *a->color));

@@ -11,6 +11,7 @@ static int count_all(const struct caster_points *points) {
 }
 
 static void deal(struct caster_points *points, const struct geometry *geometry) {
+    points->dealt = geometry->pose_count;
     surface_points_init(&points->points, &(struct surface_points_desc){.scene = points->desc.scene,
                                                                        .geometry = geometry,
                                                                        .count = count_all(points)});
@@ -40,7 +41,7 @@ void caster_points_free(struct caster_points *points) {
 void caster_points_place(struct caster_points *points, const struct geometry *geometry) {
     if (points->pose == geometry->pose_count)
         return;
-    if ((points->dealt_by_pose || geometry->changed > points->pose) && points->pose != 0) {
+    if ((points->dealt_by_pose && points->pose != 0) || geometry->changed > points->dealt) {
         surface_points_free(&points->points);
         deal(points, geometry);
     }

@@ -18,7 +18,7 @@ struct caster_points {
     struct surface_points points;
     /* Points are placed anew in each pose, because metaballs change their triangles. */
     bool dealt_by_pose;
-    unsigned pose;             /* pose of the last upload; 0: none */
+    unsigned pose, dealt;      /* poses of the last upload and deal; 0: none */
     struct caster_point *room; /* upload buffer */
     float radius;              /* radius of a map's disks if all had equal area, metres */
     struct buffer buffer;
