@@ -41,7 +41,6 @@ STD140_SIZE(vpl, 16 * VPL_ROWS)
  * k, and the last half are leaves. */
 #define TREE_GROUP 64     /* invocations */
 #define TREE_COLUMNS 1024 /* of the textures */
-#define UNIT_VPL_KEYS (UNIT_OWN + 0)
 
 /* Data of a node: one layer each. */
 #define TREE_LOW 0  /* lower corner of its positions; least squared reach of a near field, m2 */

@@ -187,14 +187,6 @@ static bool sends_as_facets(const struct technique_desc *desc) {
     return own->facets && !desc->specular;
 }
 
-/* Returns the number of candidates of a VPL. Neighbours in the domain of many lights shine to places
- * far apart, so that VPLs without a choice lie unevenly. */
-static int tries_of(const struct many_lights *lights, int vpls) {
-    const int tries = 8;
-    bool many = lights->sampled && many_lights_follow_camera(lights);
-    return many && vpls * tries <= VPLS_MAX ? tries : 1;
-}
-
 /* True if a sky or a wide lamp has several light samples. */
 static bool has_light_samples(const struct light_layout *layout) {
     return layout->lights > layout->groups;
@@ -418,7 +410,6 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
         init_importance(lights, desc) &&
         vpl_pass_init(&lights->vpl,
                       &(struct vpl_desc){.count = own->vpls,
-                                         .tries = tries_of(lights, own->vpls),
                                          .seed = own->seed,
                                          .reach = reach,
                                          .by_importance = many_lights_follow_camera(lights),

@@ -147,7 +147,7 @@ def check_refusals(device):
                         ("distortion: nan is not finite", lambda: pinhole(np.nan, 0, 0, 0)),
                         ("no ray is seen at the pixel", lambda: pinhole(-3, 0, 0, 0)),
                         ("--light-paths", lambda: trace(wide, light_paths=9)),
-                        ("motion: frames", lambda: show(wide, "motion.next")),
+                        ("motion.next: frames", lambda: show(wide, "motion.next")),
                         ("'lens=fish': there is pinhole", lambda: trace("lens=fish"))):
         refuse(words, call)
 

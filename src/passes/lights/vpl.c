@@ -42,22 +42,11 @@ static bool init_programs(struct vpl_pass *pass) {
     return ok;
 }
 
-static bool init_candidates(struct vpl_pass *pass, int count) {
-    return pass->desc.tries == 1 ||
-           (program_init(&pass->pick_program,
-                         &(struct program_desc){.vertex = "passes/lights/vpl_pick.vert"}) &&
-            vpl_buffer_init(&pass->candidates, "candidates of VPLs", count) &&
-            vpl_sort_init(&pass->sort, count));
-}
-
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     *pass = (struct vpl_pass){.desc = *desc};
-    pass->desc.tries = desc->tries > 1 ? desc->tries : 1;
-    int count = desc->count * pass->desc.tries;
-    size_t size = (size_t)count * sizeof *pass->points;
-    pass->points = mem_alloc((size_t)count, sizeof *pass->points);
-    if (!init_programs(pass) || !init_candidates(pass, count) ||
-        !buffer_init(&pass->samples, "Halton points", size, NULL) ||
+    size_t size = (size_t)desc->count * sizeof *pass->points;
+    pass->points = mem_alloc((size_t)desc->count, sizeof *pass->points);
+    if (!init_programs(pass) || !buffer_init(&pass->samples, "Halton points", size, NULL) ||
         !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL)) {
         vpl_pass_free(pass);
         return false;
@@ -70,9 +59,7 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
 }
 
 void vpl_pass_free(struct vpl_pass *pass) {
-    programs_free(&pass->program, &pass->sums_program, &pass->pick_program);
-    vpl_buffer_free(&pass->candidates);
-    vpl_sort_free(&pass->sort);
+    programs_free(&pass->program, &pass->sums_program);
     vertex_array_free(&pass->vertices);
     buffers_free(&pass->samples, &pass->shares);
     free(pass->points);
@@ -108,7 +95,7 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
 static void spread_points(struct vpl_pass *pass, int frame_pass) {
     /* Directions of paths have the numbers between. */
     const uint32_t bases[] = {2, 3, pass->desc.of_paths ? 73 : 5};
-    int count = pass->desc.count * pass->desc.tries;
+    int count = pass->desc.count;
     uint32_t first = (uint32_t)frame_pass * (uint32_t)count;
     for (int i = 0; i < count; i++) {
         double numbers[3];
@@ -136,7 +123,7 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     deal_points(pass, frame->pass);
     if (pass->desc.by_importance)
         spread_points(pass, frame->pass);
-    buffer_write(&pass->samples, 0, pass->samples.size, pass->points);
+    buffer_write(&pass->samples, 0, (size_t)pass->desc.count * sizeof *pass->points, pass->points);
 }
 
 /* Returns the radius of the near field: `asked`, in spacings of the VPLs of a group, but at most 45
@@ -189,37 +176,6 @@ void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame) {
     write_shares(pass, frame);
 }
 
-/* A step that leads past all of so many runs, and far from one to the next. */
-static int step_of(int runs) {
-    int step = (int)(.618034 * runs), a = runs, b;
-    for (bool prime = false; !prime; prime = a == 1) {
-        a = runs;
-        for (b = ++step; b > 0;) {
-            int rest = a % b;
-            a = b;
-            b = rest;
-        }
-    }
-    return step;
-}
-
-/* Picks VPLs of runs of candidates. Each aligned run of VPLs is spread over all runs. */
-static void pick(const struct vpl_pass *pass, const struct frame *frame,
-                 const struct vpl_buffer *vpls) {
-    struct pass_state state = {
-        .name = "vpls",
-        .program = pass->pick_program,
-        .textures = {{UNIT_VPLS, pass->candidates.buffer.texels},
-                     {UNIT_VPL_KEYS, pass->sort.keys.texels}},
-        .barriers = GL_TEXTURE_FETCH_BARRIER_BIT,
-    };
-    vpl_sort_render(&pass->sort, frame, pass->candidates.buffer.texels);
-    pass_set_state(&state);
-    gl.ProgramUniform4i(pass->pick_program, LOCATION_TREE_STEP, pass->desc.tries, pass->desc.count,
-                        step_of(pass->desc.count), frame->pass);
-    pass_feedback(vpls->buffer.id, 0, pass->desc.count);
-}
-
 void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS],
                      const struct importance_map *importance, const struct light_rays *rays,
@@ -240,10 +196,7 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
     if (pass->desc.lobes)
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     pass_begin(frame->timers, &state);
-    pass_feedback((pass->desc.tries > 1 ? &pass->candidates : vpls)->buffer.id, 0,
-                  pass->desc.count * pass->desc.tries);
-    if (pass->desc.tries > 1)
-        pick(pass, frame, vpls);
+    pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     vpl_pass_sum_up(pass, vpls);
     pass_end(frame->timers);
 }

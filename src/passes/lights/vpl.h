@@ -11,10 +11,10 @@
 #ifndef PASSES_VPL_H
 #define PASSES_VPL_H
 
-#include "passes/vpl_sort.h"
 #include "passes/targets.h"
 
 struct frame;
+struct vpl_buffer;
 struct importance_map;
 struct light_rays;
 
@@ -23,7 +23,6 @@ enum { VPL_PARTNERS_MAX = 256 };
 
 struct vpl_desc {
     int count;   /* N */
-    int tries;   /* candidates of each VPL; 0 or 1: all are VPLs; more need by_importance */
     int seed;    /* 0: Halton points; else points shifted on the torus */
     float reach; /* requested near-field reach, in spacings of VPLs */
     bool by_importance;
@@ -38,14 +37,11 @@ struct vpl_desc {
 struct vpl_pass {
     struct vpl_desc desc;
     GLuint program, sums_program, vertices;
-    struct vpl_point *points;  /* contents of `samples` */
-    int light_count;           /* lights of the last allocation; 0: none yet */
-    int dealt_pass;            /* frame->pass of the last allocation */
-    double fluxes[LIGHTS_MAX]; /* flux of each light at the last allocation, W */
-    int counts[LIGHTS_MAX];    /* n of each */
-    GLuint pick_program;       /* with several tries, as the next two */
-    struct vpl_buffer candidates;
-    struct vpl_sort sort;
+    struct vpl_point *points;      /* contents of `samples` */
+    int light_count;               /* lights of the last allocation; 0: none yet */
+    int dealt_pass;                /* frame->pass of the last allocation */
+    double fluxes[LIGHTS_MAX];     /* flux of each light at the last allocation, W */
+    int counts[LIGHTS_MAX];        /* n of each */
     struct buffer samples, shares; /* the points; struct vpl_share_block, for BLOCK_VPL_SHARES */
 };
 

@@ -7,7 +7,7 @@
 #ifndef PASSES_VPL_TREE_H
 #define PASSES_VPL_TREE_H
 
-#include "passes/vpl_sort.h"
+#include "passes/vpls.h"
 
 struct frame;
 
@@ -17,9 +17,9 @@ struct vpl_tree_desc {
 
 struct vpl_tree_pass {
     struct vpl_tree_desc desc;
-    struct vpl_sort sort;
-    GLuint leaves_program, nodes_program, representatives_program;
+    GLuint keys_program, sort_program, leaves_program, nodes_program, representatives_program;
     GLuint representatives_framebuffer;
+    struct buffer keys, params;
     struct vpl_tree tree;
 };
 
