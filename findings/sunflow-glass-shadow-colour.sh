@@ -1,7 +1,8 @@
 #!/bin/sh
-# Sunflow 0.07.2 of Debian 12 turns the colour of light behind coloured glass around. Shadow rays pass glass, and lose the
-# absorption colour at each surface in place of what it leaves: glass that looks green has a magenta shadow. This light adds to
-# the caustics of photons. Without absorption the colour is the default, grey, and clear glass passes a quarter of the light.
+# Sunflow 0.07.2 of Debian 12 inverts the colour of shadows of coloured glass. Shadow rays pass
+# glass, and are multiplied by 1 - colour at each surface, so green glass has a magenta shadow. This
+# light adds to the caustics of photons. Without absorption the colour is the default, grey, and
+# clear glass passes a quarter of the light.
 # A plate of glass hangs between a lamp and the floor; there are no photons, so that the floor should be black.
 #
 # Seen on Debian 12 with libsunflow-java 0.07.2.svn396+dfsg-18, light over that without glass, red, green, blue:

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Sunflow 0.07.2 of Debian 12 halves the photons of a lamp that is a rectangle. A mesh light of n triangles chooses one of
-# them by its area, and its photon has the power of that triangle, not of the lamp: n even triangles emit 1/n of the light.
-# The light that the lamp sends straight is right, only caustics and photon maps are too dark.
+# Sunflow 0.07.2 of Debian 12 halves the power of the photons of a lamp that is a rectangle. A mesh
+# light of n triangles chooses one of them by its area, and its photon has the power of that
+# triangle, not of the lamp: n equal triangles emit 1/n of the light. The direct light of the lamp
+# is right, only caustics and photon maps are too dark.
 # The lamp looks down at a mirror, which alone lights the ceiling that the camera sees.
 #
 # Seen on Debian 12 with libsunflow-java 0.07.2.svn396+dfsg-18, light over L A cos^2 / (pi d^2):

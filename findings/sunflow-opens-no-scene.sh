@@ -1,7 +1,8 @@
 #!/bin/sh
-# The program sunflow of Debian 12 opens no scene. Its library was built without the parts that read files by their names:
-# the window's Render and the command line end with an exception for each scene, of Sunflow's own formats, too. The parser of
-# .sc files is still in the library, as the class org.sunflow.core.parser.SCParser, for programs that call it.
+# The program sunflow of Debian 12 opens no scene. Its library was built without the parts that read
+# files by their names.
+# The command line ends with an exception for a .sc file. The parser of .sc files is still in the
+# library, as the class org.sunflow.core.parser.SCParser, for programs that call it.
 #
 # Seen on Debian 12 with sunflow 0.07.2.svn396+dfsg-18:
 #     java.lang.UnsupportedOperationException: Removed parser support  from SunFlow

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Sunflow 0.07.2 of Debian 12 loses caustics where photons are dense. It moves a shaded point .001 units off its surface, and
 # takes only photons within .05 r^2 of the point's plane, where r is the distance of the farthest photon of the estimate.
-# In a scene in metres the caustics end without a word when an estimate has r < .14 m: more photons, and they are gone.
+# In a scene in metres caustics vanish without a message where the radius is below .14 m, so more
+# photons remove them.
 # A lamp 1 m above a mirror and 1 m below a ceiling: the mirror adds 1/9 to the ceiling's light.
 #
 # Seen on Debian 12 with libsunflow-java 0.07.2.svn396+dfsg-18, light over that without the mirror's:

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Sunflow 0.07.2 of Debian 12 emits the photons of a point light along the z axis of the scene. Its directions have half the
-# sine that they need, and so the caustics of a point lamp are four times too bright above and below it, and a half too dark
-# beside it. The light that it sends straight is the same to all sides. A ball lamp of the same power is right.
+# Sunflow 0.07.2 of Debian 12: a point light emits too many photons along the z axis of the scene.
+# Its directions have half the sine that they need, and so the caustics of a point lamp are four
+# times too bright above and below it, and by the formula half as bright beside it. Direct light is
+# the same to all sides. A ball lamp of the same power is right.
 # The lamp is 1 m above a mirror and 1 m below a ceiling: the mirror adds 1/9 to the ceiling's light.
 #
 # Seen on Debian 12 with libsunflow-java 0.07.2.svn396+dfsg-18, light over that without the mirror's:

@@ -1,7 +1,8 @@
 #!/bin/sh
-# The IESLoader of three.js 0.187.0 makes light that is negative. Files of lamps that shine down have vertical angles from 0 to
-# 90 degrees, and no light above [LM-63]. The loader goes on along the line through the last two angles, up to 180 degrees,
-# so a lamp whose light falls towards the horizon takes light away from the ceiling.
+# The IESLoader of three.js 0.187.0 gives negative intensities. Files of lamps that shine down have
+# vertical angles from 0 to 90 degrees, and no light above [LM-63]. The loader extrapolates through
+# the last two angles, up to 180 degrees, so a lamp whose light falls towards the horizon takes
+# light away from the ceiling.
 # The file is valid: 100 cd straight down, 70.7 cd at 45 degrees, 20 cd at 90 degrees. The loader scales the largest to 1.
 #
 # Seen with three 0.187.0 and Node.js 20.20.2:
