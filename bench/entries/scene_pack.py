@@ -11,7 +11,7 @@ import sys
 
 
 class Glb:
-    """Of GLBs what the project's own have: float accessors without sparse parts."""
+    """Reads the project's GLBs: accessors without sparse parts."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -48,7 +48,7 @@ class Mesh:
     def __init__(self, glb, primitive, world):
         attributes = primitive["attributes"]
         self.points = [apply(world, point, 1) for point in glb.read(attributes["POSITION"])]
-        # Turns and even scales alone: the project's scenes have no others.
+        # Supports rotations and uniform scales only.
         self.normals = ([apply(world, normal, 0) for normal in glb.read(attributes["NORMAL"])]
                         if "NORMAL" in attributes else None)
         indices = ([row[0] for row in glb.read(primitive["indices"])] if "indices" in primitive

@@ -210,7 +210,7 @@ static bool refuse(const struct renderer *renderer, const struct output_list *ou
                      renderer->technique->name, name, names.text);
 }
 
-/* why: what leaves a pixel one sample; NULL: it has several. */
+/* why: the option that leaves one sample per pixel; NULL: none. */
 static bool check_matte(const char *name, const char *why) {
     return !why || strncmp(name, "crypto.", 7) != 0 ||
            error_set("aov: %s is of several samples of a pixel, and %s has one", name, why);

@@ -333,10 +333,11 @@ MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *sce
 
 /* Change a part of a scene without clips, by its id; manylight_view.light changes lights. Renderers
  * and references show the change from the next frame on, with the bits of a scene opened with it.
- * Renderers follow other triangles and colours. They start anew after all other changes, and with
+ * Renderers follow lights, other triangles, base colours, and the turn and strength of the sky.
+ * They start anew after other changes. They also start anew if triangles differ in a scene with
  * panes, caustics, metaballs or more than 2^20 triangles. Files' alpha modes, extensions and
- * pictures stay. Error: MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no
- * such part; a part that these structs cannot describe. The scene then stays unchanged. */
+ * pictures stay. Error: MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no such part; a
+ * part that these structs cannot describe. The scene then stays unchanged. */
 
 /* matrix: affine, from the node to its parent, row by row. */
 MANYLIGHT_API enum manylight_status manylight_scene_set_node(struct manylight_scene *scene,

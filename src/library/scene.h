@@ -24,10 +24,11 @@ struct manylight_scene {
     struct stage stage;    /* at time 0 */
     bool is_lent;          /* its triangles are */
     bool is_marked;        /* a part has changed since the last use */
-    bool is_reshaped;      /* and not only triangles, colours, lights and the turn of the sky */
+    bool is_reshaped;      /* by a change that renderers do not follow; they follow lights,
+                            * triangles, base colours, turn and strength of the sky */
     bool is_broken;        /* the change could not be followed */
     unsigned edition;      /* counts changes that were followed */
-    unsigned reshaped;     /* edition of the last that renderers do not follow */
+    unsigned reshaped;     /* edition of the last change that renderers do not follow */
     struct original original;
     char *light; /* as it was opened; NULL: all */
     struct manylight_scene_info info;

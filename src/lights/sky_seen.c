@@ -94,7 +94,8 @@ static void ask_light(void *context, size_t index) {
     const struct environment_light light =
         environment_light_turned(&asking->lights->items[index], asking->sky);
     const vec3s middle = middle_of(asking->places);
-    /* Without the sky's strength: another strength rounds otherwise, and answers are kept. */
+    /* Leaves the sky's strength out: it would change rounding, and answers are kept while it
+     * changes. */
     float sum = 0, power = environment_light_power(&asking->lights->items[index]);
     for (int i = 0; i < asking->places->count; i++) {
         const struct place *place = &asking->places->items[i];

@@ -59,7 +59,7 @@ static double sum_of(const float *values, size_t count) {
     return sum;
 }
 
-/* All but the worst are below. */
+/* Pixels below this quantile of squared errors get 0. */
 static const double most = 0.99;
 
 static float threshold_of(const float *errors, size_t count) {

@@ -1,4 +1,4 @@
-/* Errors that a pixel has by others: of means over boxes, and of the worst pixels. */
+/* Maps of errors by area: means over boxes, and the worst pixels. */
 #ifndef METRICS_AREA_ERRORS_H
 #define METRICS_AREA_ERRORS_H
 

@@ -441,7 +441,7 @@ static bool develop(struct tracer *tracer) {
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
 
-/* Places of a Hammersley set, as many as samples, but no more than tell a few thousandths. */
+/* Returns the number of Hammersley points: the samples done, at most 256. */
 static int matte_samples(const struct tracer *tracer) {
     return tracer->done < 256 ? (int)tracer->done : 256;
 }

@@ -10,7 +10,7 @@
 
 enum { RANKS = 6 };
 
-/* Attributes of a layer; its key is how the hash of its name begins. */
+/* Attribute names of a layer; the key is the start of its name's hash. */
 #define LAYER(part, key)                                                                           \
     {                                                                                              \
         "crypto." part, part, {                                                                    \
@@ -76,7 +76,7 @@ static uint32_t *list_ids(const struct surface_view *view, int layer, struct ima
     return ids;
 }
 
-/* ranks: pairs of an id and how many samples have it. */
+/* ranks: pairs of id and sample count. */
 static void add_sample(float *ranks, uint32_t id) {
     for (float *rank = ranks; rank < ranks + 2 * RANKS; rank += 2) {
         if (rank[1] == 0)
@@ -88,7 +88,7 @@ static void add_sample(float *ranks, uint32_t id) {
     }
 }
 
-/* Falling by coverage. */
+/* Sorts by falling coverage. */
 static int compare_ranks(const void *a, const void *b) {
     const float *x = a, *y = b;
     return x[1] != y[1] ? (x[1] < y[1] ? 1 : -1) : memcmp(x, y, sizeof *x);

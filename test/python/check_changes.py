@@ -14,7 +14,7 @@ CORNERS = np.arange(144).reshape(12, 12)
 FACES = np.concatenate([np.stack([CORNERS[:-1, :-1], CORNERS[1:, :-1], CORNERS[:-1, 1:]], -1).reshape(-1, 3),
                         np.stack([CORNERS[:-1, 1:], CORNERS[1:, :-1], CORNERS[1:, 1:]], -1).reshape(-1, 3)])
 SKIES = ("scenes/day.hdr", "cie:12,elevation=40")
-# What is made of triangles: casters of maps, points, elements, voxels, surfaces of bounces.
+# Settings whose data comes from triangles: casters of maps, points, elements, voxels, surfaces of bounces.
 MORE = ({"settings": {"path": "maps"}}, {"technique": "imperfect-volume"}, {"technique": "implicit-visibility"},
         {"technique": "imperfect-shadow-maps"}, {"technique": "cluster-lights"}, {"technique": "lightcuts"},
         {"technique": "row-column"}, {"lights_bounces": 3}, {"passes": 3}, {"direct": "pcss", "keep_lights": True})

@@ -80,7 +80,7 @@ bool is_tried_here(size_t index, size_t step);
 /* The text of printf. It is kept for the next 1000 texts. */
 char *form(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes JSON whose words may lack quotes, {name: one, uri: 'a b.png'}, with them; its length. */
+/* Adds quotes to words of JSON, {name: one, uri: 'a b.png'}. Returns the length. */
 size_t quote_words(const char *text, char *json, size_t size);
 
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
@@ -97,7 +97,7 @@ const char *scratch(const char *file_name);
 
 void write_text(const char *path, const char *text);
 
-/* The same of a text by quote_words. */
+/* Writes JSON from text without quotes. */
 void write_json(const char *path, const char *text);
 
 /* Files and folders in it. */

@@ -97,7 +97,10 @@ public class Draw {
         }
     }
 
-    /** Means of SIDE x SIDE samples, one each: Sunflow's own filters lie a half pixel beside the pixels. */
+    /**
+     * Means of SIDE x SIDE samples, one each. Sunflow's own filters shift the picture
+     * (docs/notes/outsiders.md).
+     */
     public static class Mean implements Display {
         private static final int SIDE = 4;
         private final FileDisplay file;

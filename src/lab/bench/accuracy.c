@@ -9,13 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What errors are against. */
+/* Names of the pictures that errors are measured against. */
 #define AGAINST_BEFORE "step before"
 #define AGAINST_REFERENCE "reference"
 #define AGAINST_CENTERS "pixel centres"
 #define AGAINST_RAYS "rays from the VPLs"
 
-/* What a picture is held against; the first is made with the pictures, the others once. */
+/* Standards of comparison. BEFORE is drawn with each picture, the others once. */
 enum { BEFORE, REFERENCE, CENTERS, RAYS, STANDARDS };
 
 static const char *const standard_names[STANDARDS] = {AGAINST_BEFORE, AGAINST_REFERENCE,
@@ -40,12 +40,12 @@ struct step {
 enum { ON_THE_WAY = 1U << BEFORE | 1U << REFERENCE };
 
 static const struct step budget[] = {
-    /* A pixel's centre stands for all of it. */
+    /* Traces paths through pixel centres only. */
     {"pixel centres", NULL, NULL, ON_THE_WAY, false},
     /* Few lights, and light near to them bounded. */
     {"all VPLs, ray-traced", MAP_PER_VPL "clamp=disk," EVERY_VPL, NULL, ON_THE_WAY, true},
     {"hard map per VPL", MAP_PER_VPL "clamp=disk," EVERY_VPL, NULL, ON_THE_WAY, false},
-    /* What the bound took comes back. */
+    /* Adds the near light that the clamp removed. */
     {"near field", MAP_PER_VPL EVERY_VPL, NULL, ON_THE_WAY, false},
     {"hard map per VAL", MAP_PER_VAL "visibility=hard,visibility-block=1," EVERY_VPL, NULL,
      ON_THE_WAY, false},
@@ -109,7 +109,7 @@ static bool draw(const struct run *run, const struct step *step, const struct me
                            : picture_render(desc, image);
 }
 
-/* Makes a standard where it is not there yet. */
+/* Makes a standard unless it exists. */
 static bool need(struct run *run, int standard) {
     struct image *image = &run->standards[standard];
     struct measure_desc exact = *run->desc;

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* A frame with as little indirect light as there can be; for variants. */
+/* Variant with as little indirect light as possible. */
 #define DIRECT_ALONE                                                                               \
     "technique=unshadowed,vpls=1,rsm-size=16,interleave=1,near-samples=1,clamp=none,adaptive=0,"   \
     "blur.radius=0,picture.samples=1"
@@ -30,7 +30,7 @@ static const char *const filters[FILTERS] = {
     "SAT:direct=cssm,harmonics=4,cssm.prefilter=sat," DIRECT_ALONE,
 };
 
-/* As many lights as are asked for, all like the first. */
+/* Repeats the first light until there are `count` lights. */
 static struct emitters repeat(const struct emitter *light, int count) {
     struct emitters many = {.items = mem_alloc((size_t)count, sizeof *many.items), .count = count};
     for (int i = 0; i < count; i++) {
@@ -52,7 +52,7 @@ static bool add_subject(const struct bench *bench, const struct stage *stage, co
     return ok;
 }
 
-/* All sizes of one filter under so many lights. */
+/* Measures all sizes of one filter with this number of lights. */
 static bool time_filter(struct bench *bench, int filter, int count, double ms[SIZES]) {
     struct stage stage = *bench->stage;
     struct measure_list list = {0};
@@ -161,8 +161,8 @@ static bool time_shares(struct bench *bench) {
     return ok;
 }
 
-/* Tables 5.1, 7.1 and 7.2 of the thesis, as ratios and shares beside its own: of the present
- * scene's first light, which must be a lamp. Error: there is none, or of a renderer. */
+/* Measures tables 5.1, 7.1 and 7.2 of the thesis as ratios and shares. The scene's first light must
+ * be a lamp. Error: there is none, or of a renderer. */
 static bool direct_tables(struct bench *bench) {
     if (bench->stage->emitters.count == 0)
         return error_set("%s has no lamp for the tables", bench->stage->name);

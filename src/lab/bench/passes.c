@@ -12,7 +12,7 @@ static struct measure_desc point_of(const struct measure_desc *desc, int passes)
     return point;
 }
 
-/* What is shown now: the mean of so many passes. */
+/* Adds the mean of the passes so far. */
 static bool add_mean(struct results *results, const struct measure_desc *point,
                      struct renderer *renderer, const struct image *reference) {
     struct image mean;

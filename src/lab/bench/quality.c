@@ -23,7 +23,7 @@ struct quality_check_desc {
     bool estimates; /* only the ladder: each choice drawn once, and no times */
 };
 
-/* What users might set instead. */
+/* Settings that users might choose by hand. */
 static const struct quality_choice others[] = {
     QUALITY_FRAME("gather.adaptive=0"),
     QUALITY_FRAME("path=maps"),
@@ -49,7 +49,7 @@ enum {
     TIMED_CPU = 150, /* ms */
 };
 
-/* A choice, drawn. */
+/* A choice and its picture. */
 struct tried {
     struct quality_choice choice;
     const struct technique *technique;
@@ -105,7 +105,7 @@ static bool start(struct check *check, const struct tried *tried, measure_starte
     return true;
 }
 
-/* The least CPU time is nearest to what the others would have had alone. */
+/* The least CPU time is least disturbed by other processes. */
 static void time_frames(struct renderer *renderer, struct tried *tried) {
     double sum = 0;
     for (int i = 0; i < TIMED || sum < TIMED_CPU; i++) {
@@ -173,7 +173,7 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
     return ok;
 }
 
-/* What is given need not go with every technique, nor with paths. */
+/* Given settings may not suit each technique, or paths. */
 static void add_choice(struct check *check, const struct quality_choice *choice) {
     struct tried tried = {.choice = *choice,
                           .technique = quality_technique(choice, check->desc->measure->technique)};
@@ -217,7 +217,7 @@ static void begin(struct check *check, const struct tried *tried,
     }
 }
 
-/* The fastest that errs no more. */
+/* CPU time of the fastest choice with at most this error. */
 static double fastest(const struct check *check, double error) {
     double least = INFINITY;
     for (int i = 0; i < check->count; i++)
@@ -226,7 +226,7 @@ static double fastest(const struct check *check, double error) {
     return least;
 }
 
-/* NULL: it does not go with what is given. */
+/* NULL: the choice does not suit the given settings. */
 static struct tried *find(struct check *check, const struct quality_choice *choice) {
     for (struct tried *tried = check->tried; tried < &check->tried[check->ladder]; tried++)
         if (tried->choice.settings == choice->settings && tried->choice.passes == choice->passes &&
@@ -253,7 +253,7 @@ static bool add_asked(struct check *check, double error, const struct quality_fo
     return results_commit(check->results);
 }
 
-/* Estimated in any case: the estimate learns from each picture, for those that follow. */
+/* Always estimates, because each picture improves later estimates. */
 static bool ask(struct check *check, double error) {
     struct quality_found found;
     char point[32];
@@ -287,7 +287,7 @@ static bool add_tried(struct check *check, int i) {
 
 /* --- all --- */
 
-/* How many choices are drawn at once: means of the ladder are one. */
+/* Number of choices drawn together; means of the ladder count as one. */
 static int count_at(const struct check *check, int i) {
     bool is_mean = i < check->ladder && check->tried[i].choice.passes > 1;
     return is_mean ? check->ladder - i : 1;

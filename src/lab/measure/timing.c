@@ -32,7 +32,7 @@ static bool find_noise(const struct image *reference, bool of_sky, int *channel)
     return *channel >= 0 || error_set("no channel %s", name);
 }
 
-/* The mean of three channels; those of a layer lie side by side. */
+/* Mean of three adjacent channels. */
 static double grey(const struct image *image, int x, int y, int first) {
     const float *pixel = image_at(image, x, y) + first;
     return (double)(pixel[0] + pixel[1] + pixel[2]) / 3;

@@ -136,8 +136,8 @@ void limit_size(const Loader &loader, const std::string &object, struct scene_te
              object.c_str(), before.width, before.height, made.bitmap.width, made.bitmap.height);
 }
 
-/* Bytes of a texel: of the scene's copy and a GPU's with MIP maps; the same where software OpenGL
- * has half floats, with some to spare. */
+/* Bytes per texel: the scene's copy, and the GPU's with MIP maps. The most is for half floats of
+ * software OpenGL, with some to spare. */
 const uint64_t texel_bytes = 10, most_texel_bytes = 16;
 
 struct Texels {

@@ -15,9 +15,10 @@ struct caster_pool;
 /* Scene and geometry must outlive the pool. */
 struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry);
 
-/* Return the geometry's levels of detail, made at the first call, with which casters begin; and
- * whether it has some: more than 2^20 triangles. */
+/* Returns the levels of detail that casters start from, made at the first call. */
 struct levels *caster_pool_levels(struct caster_pool *pool);
+
+/* True above 2^20 triangles. */
 bool caster_pool_is_large(const struct geometry *geometry);
 
 /* Requires that all casters are released. Accepts NULL. */
@@ -39,8 +40,8 @@ void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **cas
 /* Returns the shared BVH for rays. Error: that of caster_bvh_update. */
 bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
-/* Returns the tree that it was made of, if it is of all triangles of this geometry in its pose that
- * are no panes, without cuts by masks; else NULL. */
+/* Returns the BVH on the CPU if it holds all triangles in this pose, without panes and mask cuts;
+ * else NULL. */
 const struct bvh *caster_pool_built(const struct caster_pool *pool,
                                     const struct geometry *geometry);
 

@@ -54,7 +54,7 @@ static const struct option words[] = {
     {NULL},
 };
 
-/* The first word is a number without a name. */
+/* The first word has a value and no name. */
 static const struct model {
     const char *prefix;
     struct option first;

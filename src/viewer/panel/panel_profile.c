@@ -1,5 +1,5 @@
-/* The panel: the profile of a light as polar curves, as data sheets of lamps have them. The axis
- * points down, the C-plane that a name begins with lies on the right. */
+/* Draws the profile of a light as polar curves. The axis points down; the first plane of a name is
+ * on the right. */
 #include "viewer/panel/panel.h"
 
 #include <cglm/util.h>
