@@ -82,7 +82,7 @@ def percent(value):
 
 
 ROOM_SIZE = "90x60"
-# Two settings each: their difference is the noise.
+# Two pictures each: another seed shows noise (reference, Cycles), another setting its effect (POV-Ray, Sunflow).
 ROOM_PROGRAMS = {
     "reference": (),
     "Cycles, 256 spp": ("blender", ("--spp", 256), ("--spp", 256, "--seed", 1)),
@@ -107,7 +107,7 @@ def room_pictures(folder, room, name, samples):
 
 def rooms(folder):
     run(sys.executable, f"{os.path.dirname(ENTRIES)}/rooms.py", f"{folder}/rooms")
-    print("| room | program | mean | blocks: RMS, worst | noise: mean, blocks |\n|---|---|---|---|---|")
+    print("| room | program | mean | blocks: RMS, worst | noise or other setting: mean, RMS of blocks |\n|---|---|---|---|---|")
     for room in ("plain", "obstructed", "mirror-side", "mirror-end", "mirrors-facing"):
         found = {name: room_pictures(folder, room, name, 128) for name in ROOM_PROGRAMS}
         found = {name: [picture.mean(2) for picture in pictures] for name, pictures in found.items() if pictures}
@@ -208,6 +208,8 @@ def furnace_packs(folder):
 def materials(folder):
     rows = list(furnace_packs(folder))
     drawn = theirs("blender", f"{folder}/furnace/cycles", [pack for _, _, packs in rows for pack in packs], "--spp", 256)
+    if not drawn:
+        return
     print("| material | albedo | Cycles |\n|---|---|---|")
     for number, (name, albedos, _) in enumerate(rows):
         means = [float(picture.mean()) for picture in drawn[3 * number : 3 * number + 3]]

@@ -3,6 +3,7 @@
 Rooms are in metres, x to the right, y up, z towards the viewer. Values are irradiances, pi times the layers `direct` and
 `indirect`, at points of a surface that an orthographic camera faces. Prints a page in Markdown.
 """
+import datetime
 import math
 import sys
 import tempfile
@@ -352,9 +353,10 @@ REASONS = {
     "cssm": "a Fourier series of one map, from the middle of a wide lamp",
 }
 
-HEAD = """# Validation
+HEAD = f"""# Validation
 
-Exact test cases of CIE 171:2006 [CIE 2006], whose values anybody can derive. `make validate` measures this page.
+Exact test cases of CIE 171:2006 [CIE 2006], whose values anybody can derive.
+`make validate` measures this page: {datetime.date.today()}.
 A cell is the mean deviation in % over the points of a case, then the largest. Lights are in lm and cd, as watts.
 Cameras are orthographic, with 40 pixels a metre. Values are pi times the layers `direct` and `indirect`.
 Those of 5.9 to 5.11 are integrals of the sky's formula over the opening, and of Fresnel's equations (5.10). Case 5.4
