@@ -228,8 +228,7 @@ static const struct hostile {
     {"cameras", many_cameras, "info ", 0, "... and 99900 more"},
     {"extras", many_extras, "info ", 0, NULL},
     {"same", same_triangle, RENDER, 0, NULL},
-    {"pictures", many_pictures, "info ", 0,
-     "textures are scaled down, some to 4096 texels a side"},
+    {"pictures", many_pictures, "info ", 0, "textures are scaled down, some to 4096 texels a side"},
 };
 
 static void write_case(const struct hostile *hostile, const char *path, size_t *size) {
