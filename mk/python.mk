@@ -29,12 +29,13 @@ $(MODULE)/_cffi.abi3.so: $(BUILD)/python/_cffi.c $(MODULE_LIBRARY)
 	$(say) CC $@
 	$(Q)$(CC) $(MODULE_FLAGS) -shared -o $@ $< $(LDFLAGS) $(if $(MODULE_LIBRARY),$(ORIGIN)) -L$(SHARED_FOLDER) -lmanylight
 
+# A process that has loaded the old file keeps it.
 $(MODULE)/$(SHARED_NAME): $(SHARED)
 	@mkdir -p $(@D)
-	@cp $< $@
+	@cp $< $@.new && mv $@.new $@
 
 $(MODULE)/$(PLUGIN_NAME): $(PLUGIN)
 	@mkdir -p $(@D)
-	@cp $< $@
+	@cp $< $@.new && mv $@.new $@
 
 $(BUILD)/test/test_python $(BUILD)/test/test_table: | $(SHARED)

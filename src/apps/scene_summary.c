@@ -345,6 +345,20 @@ static double file_bytes(const struct scene *scene) {
     return bytes;
 }
 
+/* Slides lie in layers as wide and high as the greatest. */
+static double texel_count(const struct scene *scene) {
+    double texels = 0, width = 0, height = 0;
+    for (int i = 0; i < scene->texture_count; i++)
+        texels += (double)scene->textures[i].bitmap.width * scene->textures[i].bitmap.height;
+    for (int i = 0; i < scene->slide_count; i++) {
+        width = fmax(width, scene->slides[i].width);
+        height = fmax(height, scene->slides[i].height);
+    }
+    const struct environment *sky = scene->environment;
+    return texels + 2 * width * height * scene->slide_count +
+           (sky ? 2. * sky->width * sky->height : 0);
+}
+
 /* Bounds the peak memory of a frame by software OpenGL, which keeps textures and buffers there. A
  * thing's bytes bound what was measured (docs/notes/many-lights.md): nodes and lights are objects
  * of JSON while they are read, and triangles lie in a BVH while casters are made. */
@@ -352,12 +366,9 @@ static void print_memory(struct json *json, const struct scene *scene,
                          const struct geometry *geometry) {
     const double mib = 1 << 20, program = 256, megapixel = 240;
     const double of_item = 6e3, of_vertex = 120, of_triangle = 700, of_texel = 20;
-    double texels = 0;
-    for (int i = 0; i < scene->texture_count; i++)
-        texels += (double)scene->textures[i].bitmap.width * scene->textures[i].bitmap.height;
     double bytes = 3 * file_bytes(scene) + of_item * (scene->node_count + scene->light_count) / 2 +
                    of_vertex * geometry->vertex_count +
-                   of_triangle * geometry_triangle_count(geometry) + of_texel * texels;
+                   of_triangle * geometry_triangle_count(geometry) + of_texel * texel_count(scene);
     json_open(json, "memory", "{");
     fact_number(json, "frame", "memory     at most %.0f MiB for a frame",
                 ceil(program + bytes / mib));

@@ -91,41 +91,6 @@ TEST(panel) {
     check_same("and forth again", SCENE " --set vpls=96 --technique unshadowed");
 }
 
-/* A budget that nothing meets takes the least of all settings but those that are given. */
-TEST(frame_budget) {
-    char value[64];
-    start_viewer(SCENE, CHEAP " --budget .001ms");
-    need_viewer();
-    save_settings();
-    read_setting("picture.samples", value, sizeof value);
-    assert_string_equal(value, "1");
-    read_setting("clustered.vals", value, sizeof value);
-    assert_string_equal(value, "4");
-    end_viewer();
-}
-
-/* A preset sets all but how the picture is exposed; a number beside its slider is typed after a
- * click. */
-TEST(presets) {
-#define DRAFT                                                                                      \
-    SCENE " --set path=draft --set rsm-size=512 --set vals=12 --set map-size=128 "                 \
-          "--set shadow-size=2048 --set interleave=8 --set exposure=.5 "
-    start_viewer(SCENE, "--set exposure=.5");
-    press("Draft");
-    rest_mouse();
-    check_same("a preset", DRAFT "--set vpls=512");
-    int x, y;
-    find_place("virtual lights", &x, &y);
-    click(WIDTH + PANEL - 80, y);
-    xdo("type --delay 1 100");
-    xdo("key Return");
-    check_same("a number typed", DRAFT "--set vpls=100");
-    press("Advanced");
-    assert_true(is_on_screen("light map texels"));
-    assert_false(is_on_screen("Fourier terms")); /* of another visibility */
-    end_viewer();
-}
-
 TEST(orbit) {
     need_viewer();
     struct bitmap before = screenshot();
@@ -168,6 +133,41 @@ TEST(passes) {
 
 TEST(end) {
     need_viewer();
+    end_viewer();
+}
+
+/* A budget that nothing meets takes the least of all settings but those that are given. */
+TEST(frame_budget) {
+    char value[64];
+    start_viewer(SCENE, CHEAP " --budget .001ms");
+    need_viewer();
+    save_settings();
+    read_setting("picture.samples", value, sizeof value);
+    assert_string_equal(value, "1");
+    read_setting("clustered.vals", value, sizeof value);
+    assert_string_equal(value, "4");
+    end_viewer();
+}
+
+/* A preset sets all but how the picture is exposed; a number beside its slider is typed after a
+ * click. */
+TEST(presets) {
+#define DRAFT                                                                                      \
+    SCENE " --set path=draft --set rsm-size=512 --set vals=12 --set map-size=128 "                 \
+          "--set shadow-size=2048 --set interleave=8 --set exposure=.5 "
+    start_viewer(SCENE, "--set exposure=.5");
+    press("Draft");
+    rest_mouse();
+    check_same("a preset", DRAFT "--set vpls=256");
+    int x, y;
+    find_place("virtual lights", &x, &y);
+    click(WIDTH + PANEL - 80, y);
+    xdo("type --delay 1 100");
+    xdo("key Return");
+    check_same("a number typed", DRAFT "--set vpls=100");
+    press("Advanced");
+    assert_true(is_on_screen("light map texels"));
+    assert_false(is_on_screen("Fourier terms")); /* of another visibility */
     end_viewer();
 }
 

@@ -55,7 +55,7 @@ bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
         tree->pose = geometry->pose_count;
         return true;
     }
-    bool moves = tree->buffer.id;
+    bool moves = tree->buffer.id && !tree->of_panes; /* only that of all triangles is lent */
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
     double start = clock_ms();
