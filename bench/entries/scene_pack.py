@@ -108,17 +108,24 @@ def sha256_of(path):
         return hashlib.sha256(file.read()).hexdigest()
 
 
-def read_pack(folder):
-    """Returns scene.json and its Glb; `materials: diffuse` makes all surfaces diffuse."""
+def open_pack(folder):
+    """Returns scene.json."""
     try:
         with open(os.path.join(folder, "scene.json")) as file:
             pack = json.load(file)
     except (OSError, ValueError) as error:
         stop(folder, f"no scene pack: {error}")
-    path = os.path.join(folder, pack["scene"]["file"])
+    if pack.get("format") != "manylight scene pack" or pack.get("version") != 1:
+        stop(folder, "no scene pack of version 1")
     if os.path.basename(pack["picture"]["file"]) != pack["picture"]["file"]:
         stop(folder, "picture.file is no plain name")
-    glb = Glb(path)
+    return pack
+
+
+def read_pack(folder):
+    """Returns scene.json and its Glb; `materials: diffuse` makes all surfaces diffuse."""
+    pack = open_pack(folder)
+    glb = Glb(os.path.join(folder, pack["scene"]["file"]))
     for mesh in glb.meshes:
         if pack["picture"]["materials"] == "diffuse" and mesh.surface.kind != "textures":
             mesh.surface.kind = "diffuse"
@@ -141,11 +148,11 @@ def check(folder, pack, glb):
         stop(folder, "an orthographic camera; this script draws perspectives alone")
 
 
-def write_method(entry, drawn, **fields):
-    """drawn: names of pictures and their seconds."""
-    method = {**fields, "ms": {"median": 1000 * statistics.median(seconds for _, seconds in drawn), "p99": None,
-                               "frames": len(drawn), "covers": "the program from start to end"},
-              "history_frames": 0, "denoiser": None, "hardware_rays": False,
+def write_method(entry, drawn, covers="the program from start to end", **fields):
+    """drawn: names of pictures and their seconds. covers: what these are of."""
+    times = [seconds for _, seconds in drawn]
+    method = {"history_frames": 0, "denoiser": None, "hardware_rays": False, **fields,
+              "ms": {"median": 1000 * statistics.median(times), "p99": None, "frames": len(times), "covers": covers},
               "sha256": {file: sha256_of(os.path.join(entry, file)) for file, _ in drawn}}
     with open(os.path.join(entry, "method.json"), "w") as file:
         json.dump(method, file, indent=1)

@@ -5,11 +5,9 @@
 ENTRY is the folder to fill, PACK a folder that `manylight export` made. Tried with Blender 3.4.
 """
 import argparse
-import hashlib
 import json
 import math
 import os
-import statistics
 import struct
 import sys
 import time
@@ -17,6 +15,9 @@ import time
 import bpy
 import numpy
 from mathutils import Matrix, Vector
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from scene_pack import open_pack, write_method  # noqa: E402
 
 # The importer of Blender 3.4 uses names that NumPy 1.24 has no longer.
 for name, kind in (("bool", bool), ("int", int), ("float", float)):
@@ -39,24 +40,6 @@ def parse_arguments():
 def turned(vector):
     """glTF has +Y up, Blender +Z."""
     return Vector((vector[0], -vector[2], vector[1]))
-
-
-def sha256_of(path):
-    with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).hexdigest()
-
-
-def read_pack(folder):
-    try:
-        with open(os.path.join(folder, "scene.json")) as file:
-            pack = json.load(file)
-    except (OSError, ValueError) as error:
-        raise SystemExit(f"{folder}: no scene pack: {error}")
-    if pack.get("format") != "manylight scene pack" or pack.get("version") != 1:
-        raise SystemExit(f"{folder}: no scene pack of version 1")
-    if os.path.basename(pack["picture"]["file"]) != pack["picture"]["file"]:
-        raise SystemExit(f"{folder}: picture.file is no plain name")
-    return pack
 
 
 # --- materials -------------------------------------------------------------------------------------
@@ -338,7 +321,7 @@ def set_eevee(scene, picture, arguments):
 
 
 def build(folder, arguments):
-    pack = read_pack(folder)
+    pack = open_pack(folder)
     path = os.path.join(folder, pack["scene"]["file"])
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
@@ -396,28 +379,16 @@ def processor():
         return None
 
 
-def write_method(arguments, files, seconds, before):
+def write(arguments, drawn):
     cycles = arguments.engine == "cycles"
     name = "Blender Cycles" if cycles else "Blender EEVEE"
-    method = {
-        "name": f"{name}, {arguments.spp} spp" + (", denoised" if arguments.denoise and cycles else ""),
-        "version": bpy.app.version_string,
-        "url": "https://www.blender.org",
-        "licence": "GPL-2.0-or-later",
-        "device": processor(),
-        "driver": None,
-        "layers": None,
-        "ms": {"median": 1000 * statistics.median(seconds), "p99": None, "frames": len(seconds),
-               "covers": "a picture of each scene, with its acceleration structure and the file"},
-        "history_frames": 0,
-        "denoiser": "Open Image Denoise" if arguments.denoise and cycles else None,
-        "hardware_rays": False,
-        "precomputed_s": None if cycles else max(before),
-        "sha256": {file: sha256_of(os.path.join(arguments.entry, file)) for file in files},
-    }
-    with open(os.path.join(arguments.entry, "method.json"), "w") as file:
-        json.dump(method, file, indent=1)
-        file.write("\n")
+    write_method(arguments.entry, [(file, seconds) for file, seconds, _ in drawn],
+                 "a picture of each scene, with its acceleration structure and the file",
+                 name=f"{name}, {arguments.spp} spp" + (", denoised" if arguments.denoise and cycles else ""),
+                 version=bpy.app.version_string, url="https://www.blender.org", licence="GPL-2.0-or-later",
+                 device=processor(), driver=None, layers=None,
+                 denoiser="Open Image Denoise" if arguments.denoise and cycles else None,
+                 precomputed_s=None if cycles else max(before for _, _, before in drawn))
 
 
 def check_denoiser(arguments):
@@ -433,10 +404,9 @@ def main():
     arguments = parse_arguments()
     check_denoiser(arguments)
     for folder in arguments.packs:
-        read_pack(folder)
+        open_pack(folder)
     os.makedirs(arguments.entry, exist_ok=True)
-    drawn = [draw(folder, arguments) for folder in arguments.packs]
-    write_method(arguments, [d[0] for d in drawn], [d[1] for d in drawn], [d[2] for d in drawn])
+    write(arguments, [draw(folder, arguments) for folder in arguments.packs])
 
 
 try:
