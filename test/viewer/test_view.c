@@ -153,7 +153,7 @@ TEST(frame_budget) {
  * click. */
 TEST(presets) {
 #define DRAFT                                                                                      \
-    SCENE " --set path=draft --set rsm-size=512 --set vals=12 --set map-size=128 "                 \
+    SCENE " --set path=draft --set rsm-size=512 --set vals=30 --set map-size=256 "                 \
           "--set shadow-size=2048 --set interleave=8 --set exposure=.5 "
     start_viewer(SCENE, "--set exposure=.5");
     press("Draft");
