@@ -88,20 +88,21 @@ static bool tells_solids(const struct scene *scene) {
            node_count_carrying(scene, NODE_CAMERA) > 0;
 }
 
-/* Writes the eye that tells what is solid; zeros if none does. */
-static void find_eye(const struct caster_pool *pool, const struct pooled *pooled, vec3 eye) {
+/* Returns true and the eye that tells what is solid; false and zeros if none does. */
+static bool find_eye(const struct caster_pool *pool, const struct caster_desc *desc, vec3 eye) {
     struct camera camera = {0};
-    if (pooled->desc.error > 0 && tells_solids(pool->scene))
+    bool found = desc->error > 0 && tells_solids(pool->scene);
+    if (found)
         camera_place(&camera, pool->scene, 0, 0);
     glm_vec3_copy(camera.eye, eye);
+    return found;
 }
 
 static bool fill(const struct caster_pool *pool, struct pooled *pooled) {
     struct caster_desc own = pooled->desc;
     own.scene = caster_pool_is_large(pool->geometry) ? pool->scene : NULL;
     own.levels = pool->has_levels ? &pool->levels : NULL;
-    find_eye(pool, pooled, pooled->eye);
-    if (own.error > 0 && tells_solids(pool->scene))
+    if (find_eye(pool, &own, pooled->eye))
         own.eye = pooled->eye;
     return caster_gpu_init(&pooled->gpu, pool->geometry, &own);
 }
@@ -121,7 +122,7 @@ static struct pooled *add(struct caster_pool *pool, const struct caster_desc *de
 /* A changed geometry is simplified anew, and one that is seen from another eye. */
 static bool update(const struct caster_pool *pool, struct pooled *pooled) {
     vec3 eye;
-    find_eye(pool, pooled, eye);
+    find_eye(pool, &pooled->desc, eye);
     if (pooled->gpu.pose >= pool->geometry->changed && glm_vec3_eqv(eye, pooled->eye))
         return caster_gpu_update(&pooled->gpu, pool->geometry);
     caster_gpu_free(&pooled->gpu);
