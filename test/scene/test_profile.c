@@ -4,6 +4,7 @@
 #include "gltf_parts.h"
 
 #include "base/text.h"
+#include "metrics/colour.h"
 #include "scene/lights/emitter.h"
 #include "scene/lights/profile.h"
 
@@ -127,7 +128,9 @@ TEST(files) {
             double z = -1 + 2 * (i + .5) / STEPS, turn = 2.399963 * i, r = sqrt(1 - z * z);
             double d[3] = {r * cos(turn), r * sin(turn), z};
             double expected = is_within(&made[f], d) ? intensity(made[f].symmetry, d) : 0;
-            float own = emitter_intensity(&light, (float)acos(z), (float)atan2(d[1], d[0]));
+            float rgb[3];
+            emitter_intensity(&light, (float)acos(z), (float)atan2(d[1], d[0]), rgb);
+            float own = rgb_luminance(rgb);
             shown += 4 * GLM_PI / STEPS * (double)own;
             lumens += 4 * GLM_PI / STEPS * expected;
             worst = fmax(worst, fabs(profile_candela(&profile, d) - expected));

@@ -105,14 +105,13 @@ void emitter_slide(const struct emitter *emitter, const float direction[3], floa
     }
 }
 
-float emitter_intensity(const struct emitter *emitter, float away, float turn) {
-    vec3 direction, rgb;
+void emitter_intensity(const struct emitter *emitter, float away, float turn, float rgb[3]) {
+    vec3 direction;
     glm_vec3_scale((float *)emitter->direction, cosf(away), direction);
     glm_vec3_muladds((float *)emitter->right, sinf(away) * cosf(turn), direction);
     glm_vec3_muladds((float *)emitter->up, sinf(away) * sinf(turn), direction);
     emitter_slide(emitter, direction, rgb);
     glm_vec3_mul(rgb, (float *)emitter->intensity, rgb);
-    return .2126F * rgb[0] + .7152F * rgb[1] + .0722F * rgb[2];
 }
 
 float emitter_slide_scale(const struct emitter *emitter) {

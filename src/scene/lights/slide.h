@@ -43,9 +43,9 @@ bool emitter_has_slide(const struct emitter *emitter);
  * slide. */
 void emitter_slide(const struct emitter *emitter, const float direction[3], float rgb[3]);
 
-/* Returns the intensity of a light without a cone, by luminance (ITU-R BT.709), W/sr. away: from
- * the axis; turn: about it, from the light's right to its up; radians. */
-float emitter_intensity(const struct emitter *emitter, float away, float turn);
+/* Writes the intensity of a light without a cone, W/sr. away: from the axis; turn: about it, from
+ * the light's right to its up; radians. */
+void emitter_intensity(const struct emitter *emitter, float away, float turn, float rgb[3]);
 
 /* Returns the cotangent of the cone's half angle, axial distance over the slide's half side; 0 of a
  * profile. */

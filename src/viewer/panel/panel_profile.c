@@ -1,5 +1,6 @@
 /* Draws the profile of a light as polar curves. The axis points down; the first plane of a name is
  * on the right. */
+#include "metrics/colour.h"
 #include "viewer/panel/panel.h"
 
 #include <cglm/util.h>
@@ -55,9 +56,10 @@ void panel_draw_profile(const struct emitter *light) {
     float candela[2][COUNT], most = 0, line = ui_line_height();
     struct ui_canvas canvas;
     for (int i = 0; i < 2 * COUNT; i++) {
-        float turn = i < COUNT ? GLM_PI_2f : 0;
-        candela[i / COUNT][i % COUNT] = emitter_intensity(light, away_of(i % COUNT), turn);
-        most = fmaxf(most, candela[i / COUNT][i % COUNT]);
+        float rgb[3], *own = &candela[i / COUNT][i % COUNT];
+        emitter_intensity(light, away_of(i % COUNT), i < COUNT ? GLM_PI_2f : 0, rgb);
+        *own = rgb_luminance(rgb);
+        most = fmaxf(most, *own);
     }
     ui_value("profile, greatest", "%.4g cd", (double)most);
     ui_canvas_begin("profile", 14 * line, &canvas);
