@@ -4,7 +4,7 @@
 #include "base/file/piped_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/lights/cie_sky.h"
+#include "scene/lights/sky_formula.h"
 #include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
@@ -225,7 +225,7 @@ static bool load_file(struct environment *environment, const char *path) {
 }
 
 bool environment_load(struct environment *environment, const char *path) {
-    if ((cie_sky_is(path) ? cie_sky_make : load_file)(environment, path)) {
+    if ((sky_formula_is(path) ? sky_formula_make : load_file)(environment, path)) {
         environment->path = mem_strdup(path);
         return true;
     }

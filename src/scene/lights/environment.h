@@ -18,7 +18,7 @@ struct environment {
     float strength; /* factor */
 };
 
-/* Loads a file, or makes a sky of a text (scene/lights/cie_sky.h), with turn 0 and strength 1.
+/* Loads a file, or makes a sky of a text (scene/lights/sky_formula.h), with turn 0 and strength 1.
  * Negative numbers and NaN become 0, infinite ones 65504; a note counts their texels. Error: names
  * the file and the reason. It is unreadable, not linear, or neither twice as wide as high nor an
  * EXR cube map. With --strict replaced numbers are errors. */

@@ -1,7 +1,7 @@
 /* Skies by formula: their integrals, ratios that the standard names, symmetry, and refusals. */
 #include "support.h"
 
-#include "scene/lights/cie_sky.h"
+#include "scene/lights/sky_formula.h"
 
 #include <cglm/util.h>
 

@@ -1,4 +1,4 @@
-#include "scene/lights/cie_sky.h"
+#include "scene/lights/sky_formula.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -69,7 +69,7 @@ static bool begins(const char *text, const struct model *model) {
     return strncmp(text, model->prefix, strlen(model->prefix)) == 0;
 }
 
-bool cie_sky_is(const char *text) {
+bool sky_formula_is(const char *text) {
     return begins(text, &cie) || begins(text, &preetham);
 }
 
@@ -175,7 +175,7 @@ static double fill(struct environment *environment, const struct sky *sky) {
     return sum;
 }
 
-bool cie_sky_make(struct environment *environment, const char *text) {
+bool sky_formula_make(struct environment *environment, const char *text) {
     struct values values = {0};
     *environment = (struct environment){.width = 2 * HEIGHT, .height = HEIGHT, .strength = 1};
     if (!parse(text, &values))

@@ -10,16 +10,16 @@
  * `zenith` in its place is the radiance of the zenith, W/(sr m2). Both count the luminance of
  * colours. By default `horizontal` is pi for a CIE sky, and a coloured sky has the model's
  * luminance with 1 W for 1000 lm. The sun itself and the ground are black. */
-#ifndef SCENE_LIGHTS_CIE_SKY_H
-#define SCENE_LIGHTS_CIE_SKY_H
+#ifndef SCENE_LIGHTS_SKY_FORMULA_H
+#define SCENE_LIGHTS_SKY_FORMULA_H
 
 #include "scene/lights/environment.h"
 
 /* True if the text names such a sky in place of a file. */
-bool cie_sky_is(const char *text);
+bool sky_formula_is(const char *text);
 
 /* Makes the picture of a sky, with turn 0 and strength 1; the caller sets the path. Error: names
  * the word and the reason. */
-bool cie_sky_make(struct environment *environment, const char *text);
+bool sky_formula_make(struct environment *environment, const char *text);
 
 #endif
