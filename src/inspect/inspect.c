@@ -46,7 +46,7 @@ void inspect_free(struct inspect *inspect) {
     textures_free(&inspect->no_plane, &inspect->no_layers);
     free_canvas(inspect);
     marks_free(&inspect->marks);
-    light_map_free(&inspect->light);
+    false_colours_free(&inspect->light);
 }
 
 /* --- what there is --- */
@@ -249,7 +249,7 @@ static bool draw_light(struct inspect *inspect, struct renderer *renderer, enum 
                        const struct inspect_choice *choice) {
     struct heat_map *light = &inspect->light;
     struct bitmap picture;
-    if (!light_map_init(light, renderer, kind, choice->unit, choice->top) ||
+    if (!false_colours_init(light, renderer, kind, choice->unit, choice->top) ||
         !fit_canvas(inspect, light->width, light->height))
         return false;
     heat_map_draw_values(light, &picture);
@@ -314,7 +314,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!find(&shown, renderer, choice->output))
         return error_set("technique '%s' has no output '%s'", renderer->technique->name,
                          choice->output);
-    light_map_free(&inspect->light);
+    false_colours_free(&inspect->light);
     if (shown.kind == OUTPUT_ILLUMINANCE || shown.kind == OUTPUT_LUMINANCE)
         return draw_light(inspect, renderer, shown.kind, choice);
     if (!draw_asked(renderer, &frame, &shown))

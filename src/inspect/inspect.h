@@ -3,7 +3,7 @@
 #ifndef INSPECT_INSPECT_H
 #define INSPECT_INSPECT_H
 
-#include "inspect/light_map.h"
+#include "inspect/false_colours.h"
 #include "inspect/lookup.h"
 #include "inspect/marks.h"
 #include "inspect/sheet.h"

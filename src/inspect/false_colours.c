@@ -1,4 +1,4 @@
-#include "inspect/light_map.h"
+#include "inspect/false_colours.h"
 
 #include "base/memory.h"
 #include "metrics/colour.h"
@@ -8,8 +8,8 @@
 
 const char *const light_unit_names[] = {"lux", "lux, 683 lm/W", "lux, 179 lm/W", "W/m2"};
 
-bool light_map_init(struct heat_map *map, struct renderer *renderer, enum output_kind kind,
-                    enum light_unit unit, float top) {
+bool false_colours_init(struct heat_map *map, struct renderer *renderer, enum output_kind kind,
+                        enum light_unit unit, float top) {
     static const char *const titles[][2] = {{"lux", "cd/m2"}, {"W/m2", "W/(sr m2)"}};
     static const float lumens[] = {1, 683, 179, 1}, pi = 3.14159265F;
     const unsigned seen = 1 << LAYER_BEAUTY;
@@ -34,7 +34,7 @@ bool light_map_init(struct heat_map *map, struct renderer *renderer, enum output
     return true;
 }
 
-void light_map_free(struct heat_map *map) {
+void false_colours_free(struct heat_map *map) {
     free((void *)map->values);
     *map = (struct heat_map){0};
 }
