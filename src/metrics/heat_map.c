@@ -21,8 +21,7 @@ enum {
     TITLE_TOP = TICKS_TOP + LABEL_HEIGHT + 5,
     LEGEND_HEIGHT = TITLE_TOP + LABEL_HEIGHT + 4,
     TICK_COUNT = 5,
-    FIT_VALUES =
-        65536, /* evenly spread: to sort all of a large picture takes longer than a frame */
+    FIT_VALUES = 65536, /* to sort those of a large picture takes longer than a frame */
 };
 
 static const float pi = 3.14159265f;
