@@ -98,15 +98,17 @@ void adaptive_pixels_fit_near_field(const struct many_lights *lights,
     near_field->adaptive_part = fmaxf(share_of_large(adaptive->width, adaptive->height), .5F);
 }
 
-/* The more lights a pixel has, the fewer of its neighbours it needs. */
+/* The more lights a pixel has, the fewer of its neighbours it needs. In a larger picture the same
+ * window covers more pixels, so that as much light changes within it. */
 void adaptive_pixels_fit_blur(const struct many_lights *lights, struct blur_desc *blur) {
     const struct gather_desc *adaptive = &lights->adaptive_gather.desc;
-    float n = (float)lights->gather.desc.interleave;
+    float n = (float)lights->gather.desc.interleave,
+          growth = growth_of(adaptive->width, adaptive->height);
     blur->adaptive = lights->adaptive.program;
     for (int level = 0; blur->adaptive && level < PIXEL_LEVELS; level++) {
         float slots = (float)adaptive->list_slots[level],
               places = sqrtf(slots) / (float)adaptive->interleave;
-        blur->level_radius[level] = .5f / places;
+        blur->level_radius[level] = fminf(.5f / places * growth, (float)blur->radius);
         blur->level_weight[level] = places * places * (n * n);
     }
 }
