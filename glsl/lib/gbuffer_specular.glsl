@@ -1,7 +1,6 @@
 // How each pixel of the camera's picture reflects towards the camera, but for its diffuse part.
 #include "lib/brdf.glsl"
 #include "lib/gbuffer.glsl"
-#include "lib/specular.glsl"
 
 layout(binding = UNIT_GBUFFER_SPECULAR) uniform sampler2DArray gbuffer_speculars;
 

@@ -1,3 +1,4 @@
+// The lights and their views, and what a light sends in a direction.
 #include "lib/view.glsl"
 #include "shared/light.h"
 
@@ -98,6 +99,12 @@ vec3 light_intensity(light l, vec3 direction) {
 float light_in_range(light l, float distance2) {
     float part2 = distance2 * l.range_inverse2;
     return max(1.0 - part2 * part2, 0.0);
+}
+
+// How far a ray's light comes, metres. Chance chooses it, so that on average each place has the light
+// of its range.
+float comes_by_chance(light l, float number) {
+    return l.range_inverse2 > 0.0 ? sqrt(sqrt(1.0 - number) / l.range_inverse2) : 1e30;
 }
 
 // What a light sends towards a place, W/sr; a directional light across its direction, W/m2. direction: unit, from the light;

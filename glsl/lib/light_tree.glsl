@@ -1,7 +1,7 @@
 // Lights without maps, sampled by a tree in proportion to an estimate of their light at a point, or by flux
 // (scene/lights/light_tree.h).
 #include "lib/light.glsl"
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "shared/light_tree.h"
 #include "shared/sampled_light.h"
 

@@ -2,7 +2,7 @@
 // cosine, so that polygons light it as they light what is diffuse.
 #include "lib/brdf.glsl"
 #include "lib/lobe_albedo.glsl"
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 
 layout(binding = UNIT_LOBES) uniform sampler2D lobes; // scene/gpu/lobes.h
 

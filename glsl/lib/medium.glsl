@@ -1,5 +1,5 @@
 // A medium and panes between surfaces, lights and the camera: how much light passes. Without HAS_MEDIUM all light does.
-#include "lib/surface.glsl"
+#include "lib/view.glsl"
 #include "shared/medium.h"
 
 const float MEDIUM_FAR = 1e30;

@@ -35,7 +35,7 @@ STD140_SIZE(interleaving, 16)
 /* CLAMP: bound of cos cos / d^2 near a VPL. DISK: form factor of a disk of the VPL's area. NEAR:
  * near light is left to passes/gather/near_field.h. SPHERE: the VPL's light is spread over a ball
  * [Hašan et al. 2009]. The others are not settings. PATCH: VPLs of later bounces
- * (passes/gather/patch.glsl). RECTANGLE and above: rectangles, which need no bound. */
+ * (passes/gather/vpl_terms.glsl). RECTANGLE and above: rectangles, which need no bound. */
 #define GATHER_CLAMP_NONE 0
 #define GATHER_CLAMP_VALUE 1
 #define GATHER_CLAMP_DISK 2
@@ -44,6 +44,15 @@ STD140_SIZE(interleaving, 16)
 #define GATHER_CLAMP_PATCH 5
 #define GATHER_CLAMP_RECTANGLE 6
 #define GATHER_CLAMP_RECTANGLE_NEAR 7 /* without their near field */
+
+/* TESTED: who tests the visibility of a pixel's VPLs. Two VPLs of a group for all of it; the pixel;
+ * the nearest block on its surface; that block, as the list texel names it; the four blocks around
+ * it. */
+#define TESTED_BY_GROUP 0
+#define TESTED_BY_PIXEL 1
+#define TESTED_BY_BLOCK 2
+#define TESTED_BY_GIVEN_BLOCK 3
+#define TESTED_BY_BLOCKS 4
 
 /* Gathered quantity: irradiance, or specular radiance. VPLs count as points, as balls, or as points
  * weighted against rays that find the same light. */

@@ -44,7 +44,7 @@ struct weighting {
     int albedo, coverage;
 };
 
-/* As src/passes/picture/layer_weight.glsl. */
+/* As src/passes/picture/layer_shown.glsl. */
 static double weight_of(const struct weighting *by, const float *pixel) {
     const double least = 1e-6;
     double coverage = by->coverage < 0 ? 1 : (double)pixel[by->coverage];

@@ -37,7 +37,7 @@ static inline vec3s vec3s_unit_cross(vec3s a, vec3s b) {
     return vec3s_unit(glms_vec3_cross(a, b));
 }
 
-/* Writes the octahedral code of a unit vector, from 0 to 1, as glsl/lib/octahedral.glsl. */
+/* Writes the octahedral code of a unit vector, from 0 to 1, as glsl/lib/direction.glsl. */
 static inline void octahedral_encode(const float n[3], float code[2]) {
     float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]);
     for (int c = 0; c < 2; c++) {

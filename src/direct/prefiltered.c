@@ -58,17 +58,16 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
     char *defines = mem_printf("%sFILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;",
                                method->defines ? method->defines : "", method->filter,
                                method->search_parts, method->shadow_parts);
-    bool ok =
-        shadow_begin(&own->shadow, desc,
-                     &(struct direct_light_desc){.map_size = size_of(desc),
-                                                 .own_maps = true,
-                                                 .map_bias = depth_bias,
-                                                 .contact = contact,
-                                                 .shift = method->shift,
-                                                 .gain = method->gain,
-                                                 .fragment = "passes/visibility/direct_map.frag",
-                                                 .defines = defines}) &&
-        init_maps(own, size_of(desc), desc->lights, method->moments);
+    bool ok = shadow_begin(&own->shadow, desc,
+                           &(struct direct_light_desc){.map_size = size_of(desc),
+                                                       .own_maps = true,
+                                                       .map_bias = depth_bias,
+                                                       .contact = contact,
+                                                       .shift = method->shift,
+                                                       .gain = method->gain,
+                                                       .fragment = "passes/visibility/direct.frag",
+                                                       .defines = defines}) &&
+              init_maps(own, size_of(desc), desc->lights, method->moments);
     free(defines);
     if (ok)
         show_maps(own);

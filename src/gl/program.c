@@ -44,10 +44,13 @@ static bool load_stages(struct sources *sources, const char *defines) {
 static bool load_screen(struct sources *sources, const struct program_desc *desc) {
     const struct screen_desc *screen = &desc->screen;
     if (screen_way() == SCREEN_FRAGMENT) {
-        const char *vertex = screen->layers ? "layers.vert" : "fullscreen.vert";
-        *sources =
-            (struct sources){.files = {desc->vertex ? desc->vertex : vertex, NULL, screen->body}};
-        return load_stages(sources, desc->defines);
+        const char *vertex = desc->vertex ? desc->vertex : "fullscreen.vert";
+        char *defines =
+            mem_printf("%s%s", screen->layers ? "LAYERS;" : "", desc->defines ? desc->defines : "");
+        *sources = (struct sources){.files = {vertex, NULL, screen->body}};
+        bool ok = load_stages(sources, defines);
+        free(defines);
+        return ok;
     }
     *sources = (struct sources){.files = {NULL, NULL, NULL, screen->body}, .dispatched = *screen};
     if (!load_stages(sources, desc->defines))

@@ -2,7 +2,7 @@
  *
  * A pass names the body in `screen` of struct program_desc and draws it by pass_draw_fullscreen.
  * The body is a fragment shader that runs as one of two stages; passes need not know which:
- *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
+ *     fragment    one triangle covers the viewport (glsl/fullscreen.vert)
  *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
  * gl/screen_glsl.c makes the compute shader. It replaces lines of these forms.
  *

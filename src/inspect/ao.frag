@@ -1,7 +1,7 @@
 // Ambient occlusion as a layer of a file: the mean over the samples of a pixel that show a surface. A sample takes the
 // value of the pixel that it is assigned to, as light does; edge samples take that of their stand-in.
 #include "lib/gbuffer.glsl"
-#include "passes/picture/sample_assignment.glsl"
+#include "lib/edge_sample.glsl"
 
 layout(binding = UNIT_IRRADIANCE) uniform sampler2D open; // alpha 0: not known
 layout(binding = UNIT_SAMPLE_ASSIGNMENT) uniform usampler2D sample_assignment;

@@ -1,13 +1,11 @@
 // A buffer of the frame as colours.
-#include "lib/camera.glsl"
+#include "lib/gbuffer.glsl"
 #include "inspect/inspect.glsl"
 #include "lib/light.glsl"
-#include "lib/octahedral.glsl"
 #include "passes/picture/display.glsl"
 
 layout(binding = UNIT_INSPECTED_LAYERS) uniform sampler2DArray layers;
 layout(binding = UNIT_INSPECTED_PLANE) uniform sampler2D plane;
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray gbuffer_depth; // of normals
 
 layout(location = TARGET_RESULT) out vec4 color;
 
@@ -31,7 +29,7 @@ vec3 show_layers(inspected at) {
     vec4 value = texelFetch(layers, texel, 0);
     switch (params.kind) {
     case INSPECT_NORMAL:
-        return texelFetch(gbuffer_depth, texel, 0).r > 0.0 ? octahedral_decode(value.rg) * 0.5 + 0.5 : NOTHING;
+        return texelFetch(gbuffer_depths, texel, 0).r > 0.0 ? octahedral_decode(value.rg) * 0.5 + 0.5 : NOTHING;
     case INSPECT_ALBEDO:
         return srgb_encode(value.rgb * value.rgb);
     case INSPECT_DEPTH:

@@ -1,6 +1,6 @@
 // Marks in the scene: points and lines over its picture.
-#include "passes/lights/cluster_color.glsl"
-#include "lib/camera.glsl"
+#include "lib/vpl_rows.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/inspect.h"
 
 PASS_BLOCK(mark_params, 32)

@@ -17,10 +17,10 @@ bool marks_init(struct marks *marks) {
     *marks = (struct marks){0};
     if (program_init(&marks->point_program,
                      &(struct program_desc){.vertex = "inspect/mark_points.vert",
-                                            .fragment = "inspect/mark_points.frag"}) &&
-        program_init(&marks->val_program,
-                     &(struct program_desc){.vertex = "inspect/mark_vals.vert",
-                                            .fragment = "inspect/mark_vals.frag"}) &&
+                                            .fragment = "inspect/mark.frag"}) &&
+        program_init(&marks->val_program, &(struct program_desc){.vertex = "inspect/mark_vals.vert",
+                                                                 .fragment = "inspect/mark.frag",
+                                                                 .defines = "LINES"}) &&
         buffer_init(&marks->params, "mark parameters", sizeof(struct mark_params), NULL))
         return true;
     marks_free(marks);

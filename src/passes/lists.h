@@ -12,7 +12,7 @@ struct pixel_lists {
      * Edge pixels begin at the start, edge samples at the second half. Detail pixels run backwards
      * from the end of the first half. */
     struct texture pixels;
-    /* R32UI: list texel of each pixel (passes/gather/list_texel.glsl). 0: in no list. */
+    /* R32UI: list texel of each pixel (lib/tiles.glsl). 0: in no list. */
     struct texture texels;
     struct texture edge_sample_texels; /* R32UI: list texel of each pixel's edge sample */
     struct buffer counts;              /* entries of each list, uint */

@@ -19,7 +19,7 @@
  *   depth    D32F     reversed (shared/view.h); 0: no surface
  *   emission RGBA16F  radiance times irradiance_scale; camera only, if a material is emissive or
  *                     not plain (scene/material.h)
- *   specular RGBA16   specular reflectance (lib/specular.glsl), if a material is not plain: for the
+ *   specular RGBA16   specular reflectance (lib/brdf.glsl), if a material is not plain: for the
  *                     camera, and for lights if rays read it. Then normal is the bent one, and
  *                     albedo the diffuse part's. Lights' views add the specular part as diffuse.
  */
@@ -50,7 +50,7 @@ struct irradiance {
 struct contribution {
     const struct irradiance *irradiance;
     /* Irradiance of edge samples, and the list texel of each pixel's sample
-     * (passes/gather/list_texel.glsl). Both or none. */
+     * (lib/tiles.glsl). Both or none. */
     const struct irradiance *edge_sample_irradiance;
     const struct texture *edge_sample_texels;
     const struct texture *radiance;
@@ -80,7 +80,7 @@ struct gbuffer_desc {
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
 
-/* Binds the textures of lib/rsm.glsl, and of lib/rsm_specular.glsl if the maps have a specular
+/* Binds the textures of lib/rsm.glsl, and of lib/rsm.glsl if the maps have a specular
  * target. The maps of one kind stand in for a missing kind, which is not read, because drivers warn
  * of empty units. */
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);

@@ -36,7 +36,7 @@ struct volume {
      * points with one; albedo. Radiosity is times irradiance_scale; its alpha is the planes'
      * distance from the voxel's centre. */
     struct texture surfaces, radiosity, back, albedo;
-    /* Sums over points turned away from a direction (src/passes/volume/point_sums.glsl): the second
+    /* Sums over points turned away from a direction (src/passes/volume/inject.vert): the second
      * side of voxels with several orientations. Only with volume_is_split. */
     struct texture turned_surfaces, turned_radiosity;
     GLuint points_framebuffer;

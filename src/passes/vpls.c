@@ -59,11 +59,6 @@ void light_rays_add(struct pass_state *state, const struct light_rays *rays) {
             pass_add_texture(state, textures[i].unit, textures[i].texture);
 }
 
-const char *vpl_area_file(bool by_importance) {
-    return by_importance ? "passes/gather/vpl_area_by_importance.glsl"
-                         : "passes/gather/vpl_area_by_flux.glsl";
-}
-
 void importance_map_add(struct pass_state *state, const struct importance_map *map) {
     pass_add_texture(state, UNIT_IMPORTANCE_VALUES, map->values.id);
     pass_add_texture(state, UNIT_IMPORTANCE_LIGHTS, map->lights.id);

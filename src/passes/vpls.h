@@ -62,10 +62,6 @@ struct val_targets {
     struct texture position, normal, flux;
 };
 
-/* Returns the file for the define VPL_AREA, which computes a VPL's area at a point: by an
- * importance map, or by flux alone. */
-const char *vpl_area_file(bool by_importance);
-
 /* Binds the textures of passes/lights/vpl_by_importance.glsl. */
 void importance_map_add(struct pass_state *state, const struct importance_map *map);
 

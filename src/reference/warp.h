@@ -4,7 +4,7 @@
 
 #include "base/unit.h"
 
-/* Returns a unit vector perpendicular to a unit vector, equal to that of glsl/lib/tangent.glsl. */
+/* Returns a unit vector perpendicular to a unit vector, as glsl/lib/direction.glsl has it. */
 vec3s warp_perpendicular(vec3s axis);
 
 /* Returns a unit direction with density cos / pi about the normal. */

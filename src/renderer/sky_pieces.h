@@ -1,5 +1,5 @@
 /* Directions of an environment's light samples. Each VPL takes one and follows a ray
- * (src/passes/lights/sky_ray.glsl).
+ * (src/passes/lights/vpl_reflected.glsl).
  *
  * With one direction a group, indoor light would depend on chance. All rays of a group that pass
  * its opening have equal coordinates in the light's domain. So an importance map of the group is as

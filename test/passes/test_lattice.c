@@ -1,4 +1,4 @@
-/* Numbers by which one of many is taken (glsl/lib/lattice.glsl): the same bits on every driver,
+/* Numbers by which one of many is taken (glsl/lib/random.glsl): the same bits on every driver,
  * whatever it rounds. */
 #include "support.h"
 
@@ -35,7 +35,7 @@ static void read_numbers(float *numbers) {
 TEST(numbers) {
     static float numbers[SIDE * SIDE];
     double wrong = 0, furthest = 0;
-    need_file("glsl/lib/lattice.glsl");
+    need_file("glsl/lib/random.glsl");
     read_numbers(numbers);
     for (uint32_t i = 0; i < SIDE * SIDE; i++) {
         uint32_t x = i % SIDE * APART, y = i / SIDE * APART;

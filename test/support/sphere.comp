@@ -1,5 +1,5 @@
 // For test_specular.c: what balls of VPLs give, over what the VPL is: form factor times pi per area.
-#include "passes/gather/sphere.glsl"
+#include "passes/gather/vpl_terms.glsl"
 
 layout(local_size_x = 1) in;
 

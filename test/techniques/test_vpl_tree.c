@@ -250,7 +250,7 @@ TEST(same_bounds) {
     }
 }
 
-/* As src/passes/gather/patch.glsl has it: cos cos / d^2 where both are 1. */
+/* As src/passes/gather/vpl_terms.glsl has it: cos cos / d^2 where both are 1. */
 static double patch_of(double distance2, double area) {
     const double c = (GLM_PI - 6) / (GLM_PI - 2), t = distance2 / (6.5 * area);
     double rest = 1 + t * t;

@@ -9,8 +9,8 @@ static bool init(void **state, const struct direct_desc *desc) {
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
     const char *defines = desc->lights->sized ? "" : "POINTS_ONLY;";
     return shadow_begin(shadow, desc,
-                        &(struct direct_light_desc){
-                            .fragment = "passes/visibility/direct_point.frag", .defines = defines});
+                        &(struct direct_light_desc){.fragment = "passes/visibility/direct.frag",
+                                                    .defines = defines});
 }
 
 static const struct settings_part *const parts[] = {&shadow_part, NULL};

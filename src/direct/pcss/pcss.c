@@ -49,9 +49,8 @@ static bool init(void **state, const struct direct_desc *desc) {
     struct pcss *pcss = *state = mem_alloc(1, sizeof *pcss);
     bool by_rays = desc->may_trace && own->shadow_rays > 0;
     char *defines =
-        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;SHADOW_RAYS %d;NEAREST %.6f;FREE_SHARE %s;",
-                   own->light_taps, SEARCH_TAPS, own->shadow_rays, nearest,
-                   by_rays ? "direct/pcss/by_rays.glsl" : "direct/pcss/by_map.glsl");
+        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;SHADOW_RAYS %d;NEAREST %.6f;", own->light_taps,
+                   SEARCH_TAPS, by_rays ? own->shadow_rays : 0, nearest);
     pcss->casters = desc->casters;
     bool ok = (!by_rays || caster_pool_acquire_tree(desc->casters, &pcss->tree)) &&
               shadow_begin(&pcss->shadow, desc,

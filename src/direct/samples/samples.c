@@ -52,8 +52,8 @@ static bool init(void **state, const struct direct_desc *desc) {
     samples->block = mem_alloc(1, sizeof *samples->block);
     samples->points.items = mem_alloc(LIGHTS_MAX, sizeof *samples->points.items);
     return shadow_begin(&samples->shadow, desc,
-                        &(struct direct_light_desc){
-                            .fragment = "passes/visibility/direct_point.frag", .defines = ""}) &&
+                        &(struct direct_light_desc){.fragment = "passes/visibility/direct.frag",
+                                                    .defines = ""}) &&
            buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
 }
 

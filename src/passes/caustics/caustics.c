@@ -44,7 +44,7 @@ static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
     const struct program_desc patch = {.vertex = "passes/caustics/patch.vert",
                                        .fragment = "passes/caustics/patch.frag"};
-    const struct program_desc splat = {.vertex = "passes/caustics/splat.vert",
+    const struct program_desc splat = {.vertex = "passes/caustics/patch.vert",
                                        .fragment = "passes/caustics/patch.frag",
                                        .defines = "SPLATS"};
     bool ok = init_ray_program(pass);

@@ -3,10 +3,9 @@
 // cosine one bounce of indirect light.
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
-#include "lib/panorama.glsl"
+#include "lib/direction.glsl"
 #include "lib/random.glsl"
-#include "lib/tangent.glsl"
-#include "passes/picture/sight.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/smooth.h"
 
 PASS_BLOCK(glass_params, 32)

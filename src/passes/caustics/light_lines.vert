@@ -1,10 +1,9 @@
 // Rays in a medium, as lines of the camera's picture. A line's weight is what makes a ray of flux a beam as wide as a pixel:
 // length / (depth of one end * depth of the other * pixels that it is long * area of a pixel at depth 1); the depth of a
 // place on it then cancels out. Published lines all have one weight [Dong 2011, eq. 8.3].
-#include "lib/camera.glsl"
+#include "lib/gbuffer.glsl"
 #include "lib/light.glsl"
 #include "lib/random.glsl"
-#include "passes/caustics/range.glsl"
 #include "passes/caustics/rays.glsl"
 
 layout(location = LOCATION_LIGHT) uniform int light_index;

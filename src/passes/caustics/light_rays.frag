@@ -27,7 +27,6 @@ light_ray light_ray_at(light l, vec2 place) {
 }
 
 #ifdef HAS_LINES
-#include "passes/caustics/range.glsl"
 // Light between two smooth surfaces outside glass. A ray keeps one of these segments, chosen by chance in proportion to
 // its light times its length, and it stands for all of them (reservoir sampling).
 vec3 between_from = vec3(0.0), between_to = vec3(0.0);

@@ -1,7 +1,80 @@
-// Triangle of light that rays bring to a surface, as the camera sees it. What would be much smaller than a pixel becomes
-// one pixel that takes all of its flux.
-#include "passes/caustics/place.glsl"
+// Light that rays bring to a surface, as the camera sees it: a triangle between three rays, or with SPLATS a round spot of one,
+// as a triangle around it. What would be much smaller than a pixel becomes one pixel that takes all of its flux.
+#include "lib/gbuffer.glsl"
+#include "passes/caustics/rays.glsl"
 
+flat out vec3 patch_irradiance, patch_normal, patch_middle;
+
+vec2 pixel_of(vec4 clip) {
+    return (0.5 * clip.xy / clip.w + 0.5) * params.size;
+}
+
+vec4 clip_of(vec3 place) {
+    return camera.world_to_clip * vec4(place, 1.0);
+}
+
+// Surface that a pixel shows of a plane there, m2.
+float footprint(vec3 place, vec3 normal) {
+    vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
+    vec3 axis = view_axis(camera);
+    float ahead = dot(axis, axis);
+    vec3 along = camera.orthographic ? camera.forward : place - camera.origin;
+    float depth = camera.orthographic ? 1.0 : dot(along, axis) / ahead;
+    float facing = max(abs(dot(normal, along)), 1e-6 * length(along));
+    return pixel.x * pixel.y * depth * depth * (dot(along, axis) / sqrt(ahead)) / facing;
+}
+
+// The corner of a triangle that covers the middle of the place's pixel, and of no other.
+vec4 pixel_corner(vec3 place, int corner) {
+    vec4 clip = clip_of(place);
+    vec2 middle = floor(pixel_of(clip)) + 0.5;
+    middle += corner == 0 ? vec2(-0.4) : corner == 1 ? vec2(0.8, -0.4) : vec2(-0.4, 0.8);
+    return vec4((middle / params.size * 2.0 - 1.0) * clip.w, clip.z, clip.w);
+}
+
+void be_nowhere() {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    patch_irradiance = patch_normal = patch_middle = vec3(0.0);
+}
+
+void set_surface(ivec2 texel, vec3 middle) {
+    patch_normal = end_normal(texelFetch(ray_leaves, texel, 0));
+    patch_middle = middle;
+}
+
+#ifdef SPLATS
+layout(binding = UNIT_SPLATS) uniform sampler2D splats;
+
+flat out float splat_radius; // metres; 0: one pixel
+
+const float SMALL = 0.7; // pixels
+
+void main() {
+    ivec2 texel = ray_texel(gl_VertexID / 3);
+    int corner = gl_VertexID % 3;
+    be_nowhere();
+    splat_radius = 0.0;
+    vec4 splat = texelFetch(splats, texel, 0);
+    if (splat.w <= 0.0)
+        return;
+    vec3 middle = texelFetch(ray_ends, texel, 0).xyz;
+    if (clip_of(middle).w <= camera.near)
+        return;
+    set_surface(texel, middle);
+    float area = footprint(middle, patch_normal);
+    if (splat.w < SMALL * sqrt(area)) {
+        gl_Position = pixel_corner(middle, corner);
+        patch_irradiance = splat.rgb / area;
+        return;
+    }
+    splat_radius = splat.w;
+    vec3 right = normalize(abs(patch_normal.y) < 0.9 ? cross(patch_normal, vec3(0.0, 1.0, 0.0))
+                                                     : cross(patch_normal, vec3(1.0, 0.0, 0.0)));
+    vec2 aside = corner == 0 ? vec2(0.0, 2.0) : vec2(corner == 1 ? -1.7320509 : 1.7320509, -1.0);
+    gl_Position = clip_of(middle + splat.w * (aside.x * right + aside.y * cross(patch_normal, right)));
+    patch_irradiance = splat.rgb / (3.14159265 * splat.w * splat.w);
+}
+#else
 layout(binding = UNIT_PATCHES) uniform sampler2D patches[2];
 
 const float SMALL = 0.25;      // pixels
@@ -34,3 +107,4 @@ void main() {
     } else if (pixels < SMALL) // a sliver, of which few pixels would take much
         patch_irradiance = min(patch_irradiance, in_pixel / SMALL);
 }
+#endif

@@ -5,11 +5,10 @@
 //
 // With SHARE_VISIBILITY such pixels are adaptive, too, that no block speaks for; the others are told which one does.
 // Pixels that are not adaptive are told their triangle's normal: what draws tiles has no neighbours at hand.
-#include "lib/divide.glsl"
+#include "lib/tiles.glsl"
 #include "lib/gbuffer.glsl"
-#include "passes/gather/list_texel.glsl"
 #include "passes/gather/receiver_facet.glsl"
-#include "passes/picture/sample_assignment.glsl"
+#include "lib/edge_sample.glsl"
 #include "shared/gather.h"
 
 PASS_BLOCK(adaptive_params, 48)

@@ -1,5 +1,5 @@
 // Visibility shared by blocks of pixels, of a pass with `block` among its parameters: which block speaks for a pixel.
-#include "lib/divide.glsl"
+#include "lib/tiles.glsl"
 #include "lib/gbuffer.glsl"
 
 #ifndef BLOCK_COSINE

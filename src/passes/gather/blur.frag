@@ -1,15 +1,11 @@
 // Geometry-aware blur along one axis, or over a square at once [Dong 2009 §6; Laine et al. 2007]:
 // neighbours count where they are near in space and normal. The ends have half weight, so that the window
 // holds each place of the interleaving pattern equally and is not shifted by half a pixel.
-#include "lib/camera.glsl"
+#include "lib/gbuffer.glsl"
 #include "passes/gather/blur_tap.glsl"
 #include "shared/gather.h"
 
 PASS_BLOCK(blur_params, 96)
-
-#if SPECULAR_BLUR
-#include "passes/gather/pixel_reflects.glsl"
-#endif
 
 layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 

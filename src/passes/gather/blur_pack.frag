@@ -1,8 +1,7 @@
 // Puts the interleaved tiles back into picture order, and each pixel's depth, normal and light together.
 #include "lib/gbuffer.glsl"
-#include "lib/interleaving.glsl"
+#include "lib/tiles.glsl"
 #include "passes/gather/blur_tap.glsl"
-#include "passes/gather/list_texel.glsl"
 #include "shared/gather.h"
 
 PASS_BLOCK(blur_params, 96)
@@ -23,8 +22,6 @@ bool is_steep(vec3 irradiance, float depth) {
 #endif
 
 #if SPECULAR_BLUR
-#include "passes/gather/pixel_reflects.glsl"
-
 const float NARROW_ROUGHNESS = 0.45; // lobes that bent surfaces soon turn away
 #endif
 

@@ -40,3 +40,14 @@ vec3 blur_tap_irradiance(uvec4 tap) {
     uvec3 rgb = uvec3(tap.z >> 11, (tap.z & 0x7ffu) << 10 | tap.w >> 22, tap.w & 0x1fffffu);
     return uintBitsToFloat(rgb << 10);
 }
+
+#if SPECULAR_BLUR
+#include "lib/gbuffer_specular.glsl"
+#include "lib/lobe_albedo.glsl"
+
+// Directional albedo of a pixel's specular part. The blur divides radiance by it, so that textures stay sharp.
+vec3 pixel_reflects(ivec2 pixel) {
+    specular_surface s = gbuffer_specular(gbuffer_surface(pixel), pixel);
+    return max(specular_albedo(s.f0, s.f90, s.alpha, dot(s.normal, s.to_eye)), 1e-3);
+}
+#endif

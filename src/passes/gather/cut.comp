@@ -3,7 +3,7 @@
 // points.
 #include "lib/gbuffer.glsl"
 #include "lib/vpl_texels.glsl"
-#include "lib/vpl_tree_nodes.glsl"
+#include "lib/vpl_tree.glsl"
 #include "passes/gather/cut_bound.glsl"
 #include "shared/gather.h"
 

@@ -1,8 +1,8 @@
 // The most that cos_i cos_x / d^2 can be, bounded as the gather's CLAMP says, between the points of a box with a cone
 // of normals and VPLs in another [Walter et al. 2005, §4; 2006]. Of two points and normals it is the term itself.
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "lib/vpl_tree.glsl"
-#include "passes/gather/patch.glsl"
+#include "passes/gather/vpl_terms.glsl"
 #include "shared/gather.h"
 
 const float CUT_INVERSE_PI = 0.31830988618;

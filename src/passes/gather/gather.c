@@ -16,32 +16,22 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns the file that tests visibility, which gather.frag includes as GATHER_VISIBILITY. */
-static const char *visibility_part(const struct gather_desc *desc) {
+static int tested_by(const struct gather_desc *desc) {
     if (desc->together > 0)
-        return "passes/gather/gather_groups.glsl";
+        return TESTED_BY_GROUP;
     if (!desc->share)
-        return "passes/gather/gather_pixel.glsl";
+        return TESTED_BY_PIXEL;
     if (desc->clamp >= GATHER_CLAMP_RECTANGLE)
-        return "passes/gather/gather_blocks.glsl";
-    return desc->receivers == RECEIVERS_OTHERS ? "passes/gather/gather_given_block.glsl"
-                                               : "passes/gather/gather_block.glsl";
-}
-
-static char *parts(const struct gather_desc *desc) {
-    return mem_printf(
-        "GATHER_LIGHTS passes/gather/lights_%s.glsl;GATHER_LIGHT passes/gather/light_%s.glsl;"
-        "GATHER_VISIBILITY %s",
-        desc->cuts ? "cut" : "range", desc->specular ? "specular" : "diffuse",
-        visibility_part(desc));
+        return TESTED_BY_BLOCKS;
+    return desc->receivers == RECEIVERS_OTHERS ? TESTED_BY_GIVEN_BLOCK : TESTED_BY_BLOCK;
 }
 
 static bool init_program(GLuint *program, const struct gather_desc *desc) {
-    char *lookup = visibility_defines(&desc->visibility), *files = parts(desc);
-    char *defines =
-        mem_printf("%s%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
-                   desc->medium ? "HAS_MEDIUM;" : "", desc->lobes ? "VPL_LOBES;" : "", lookup,
-                   files, desc->clamp, desc->map_per_vpl, desc->receivers, desc->specular);
+    char *lookup = visibility_defines(&desc->visibility);
+    char *defines = mem_printf(
+        "%s%s%s;CUTS %d;TESTED %d;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
+        desc->medium ? "HAS_MEDIUM;" : "", desc->lobes ? "VPL_LOBES;" : "", lookup, desc->cuts,
+        tested_by(desc), desc->clamp, desc->map_per_vpl, desc->receivers, desc->specular);
     bool ok = program_init(
         program,
         &(struct program_desc){
@@ -49,7 +39,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc) {
             .screen = {"passes/gather/gather.frag", .blended = true, .tiled = true},
             .defines = defines,
         });
-    mem_free(lookup, files, defines);
+    mem_free(lookup, defines);
     return ok;
 }
 

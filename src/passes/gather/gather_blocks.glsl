@@ -1,17 +1,29 @@
-// Where no blur follows, the four blocks around a pixel have its visibility: between centres, of those on the same
-// surface. Where there is none, the pixel tests it.
+// Visibility that blocks of pixels share, by TESTED. Where no block is on the pixel's surface, the pixel tests it.
+#include "passes/gather/block.glsl"
+
+layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
+
+float block_visibility(ivec2 block, int map) {
+    return texelFetch(block_visibilities, ivec3(block, map), 0).r;
+}
+
+#if TESTED == TESTED_BY_BLOCKS
+// Where no blur follows, the four blocks around a pixel: between centres, of those on the same surface.
 struct block_shares {
     ivec2 first;
-    vec4 of; // the four blocks from there on
+    vec4 shares; // of the four blocks from there on
 };
-
-float block_visibility(block_shares blocks, int map);
 #define BLOCKS block_shares
-#include "passes/gather/visibility_block.glsl"
-#include "passes/gather/visibility_pixel.glsl"
+
+float block_visibility(block_shares around, int map) {
+    float sum = 0.0;
+    for (int i = 0; i < 4; i++)
+        sum += around.shares[i] * block_visibility(block_around(around.first, i), map);
+    return sum;
+}
 
 // False where none is on the pixel's surface.
-bool find_blocks(surface s, ivec2 pixel, out block_shares blocks) {
+bool find_blocks(surface s, ivec2 pixel, out block_shares around) {
     int size = params.block;
     ivec2 first = first_block(pixel);
     vec4 shares;
@@ -22,19 +34,38 @@ bool find_blocks(surface s, ivec2 pixel, out block_shares blocks) {
         shares[i] = is_alike(s, block_around(first, i), plane_apart) ? share : 0.0;
     }
     float sum = dot(shares, vec4(1.0));
-    blocks = block_shares(first, shares / max(sum, 1e-30));
+    around = block_shares(first, shares / max(sum, 1e-30));
     return sum > 0.0;
 }
+#else
+#define BLOCKS ivec2
 
-float block_visibility(block_shares blocks, int map) {
-    float sum = 0.0;
-    for (int i = 0; i < 4; i++)
-        sum += blocks.of[i] * block_visibility(block_around(blocks.first, i), map);
+bool find_blocks(surface s, ivec2 pixel, out ivec2 nearest) {
+    return nearest_block(s, pixel, nearest);
+}
+#endif
+
+vec3 light_by_block(surface s, ivec2 lights, BLOCKS around) {
+    vec3 sum = vec3(0.0), back;
+    for (int i = lights.x; i < lights.y; i++) {
+        vpl light = light_at(i);
+        float visible = block_visibility(around, map_of(i, light));
+        sum += arriving(unshadowed(i, light, s, back), back, visible);
+    }
     return sum;
 }
 
+#if TESTED == TESTED_BY_GIVEN_BLOCK
+// The texel that says that the pixel is not on a list tells which block has its visibility.
 vec3 light_of(surface s, ivec2 pixel, ivec2 lights) {
-    block_shares blocks;
-    int last = find_blocks(s, pixel, blocks) ? lights.y : lights.x;
-    return light_by_block(s, ivec2(lights.x, last), blocks) + light_by_pixel(s, ivec2(last, lights.y));
+    return light_by_block(s, lights, block_at(pixel) + block_away_of(texelFetch(list_texels, pixel, 0).r));
 }
+#else
+#include "passes/gather/visibility_pixel.glsl"
+
+vec3 light_of(surface s, ivec2 pixel, ivec2 lights) {
+    BLOCKS around;
+    int last = find_blocks(s, pixel, around) ? lights.y : lights.x;
+    return light_by_block(s, ivec2(lights.x, last), around) + light_by_pixel(s, ivec2(last, lights.y));
+}
+#endif

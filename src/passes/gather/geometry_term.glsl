@@ -2,12 +2,11 @@
 //     float light_term(i, to_light, normal, light)    in place of cos_i cos_x / d^2
 //     const bool TERM_OF_POINT                        a light behind the receiver's triangle gives nothing
 #include "lib/vpl_rows.glsl"
+#include "passes/gather/vpl_terms.glsl"
 #include "shared/gather.h"
 
 #if CLAMP == GATHER_CLAMP_SPHERE
 // The term of a ball around a VPL, by gather_params.
-#include "passes/gather/sphere.glsl"
-
 const bool TERM_OF_POINT = false; // balls may rise above a horizon in part
 
 float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
@@ -17,9 +16,6 @@ float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
 #include "passes/gather/rectangle.glsl"
 #else
 // The term of a VPL as a point, bounded by CLAMP: near it the point light is no longer the patch that it stands for.
-#include "passes/gather/near_field.glsl"
-#include "passes/gather/patch.glsl"
-
 const bool TERM_OF_POINT = true;
 
 float light_term(int i, vec3 to_light, vec3 normal, vpl light) {

@@ -6,7 +6,7 @@
 // al. 2007], and is as wide as the patch that the VPL stands for is from there [Hašan et al. 2009].
 #ifdef VPL_LOBES
 #include "lib/brdf.glsl"
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 
 // Spots of narrower lobes would be seen one by one, and wider ones than that would have another albedo.
 const float LOBE_ALPHA_MIN = 0.2, LOBE_ALPHA_MAX = 0.3;

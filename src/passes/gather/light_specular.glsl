@@ -3,10 +3,9 @@
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
 // With RAYS a point gives no more than what rays do not find better (passes/gather/specular_rays.frag).
-#include "passes/gather/seen_end.glsl"
+#include "passes/gather/specular_ways.glsl"
 #include "lib/medium.glsl"
-#include "passes/gather/specular_weight.glsl"
-#include "passes/gather/near_field.glsl"
+#include "passes/gather/vpl_terms.glsl"
 
 // Of the pixel at hand.
 specular_surface receiver_specular = specular_surface(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0));

@@ -37,17 +37,14 @@ static bool init_programs(struct near_field_pass *pass) {
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
-    static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
-                                        [NEAR_BY_VIEWS] = "near_by_views",
-                                        [NEAR_BY_RAYS] = "near_by_rays"};
-    char *of_light = mem_printf("%sLIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s",
-                                light_defines(pass->desc.medium, pass->desc.slides), room, kinds,
-                                pass->desc.facets, vpl_area_file(pass->desc.by_importance));
-    static const char format[] = "NEAR_VISIBILITY passes/gather/%s.glsl;RECEIVERS %d;%s";
+    char *of_light = mem_printf(
+        "%s%sLIGHTS %d;MAP_KINDS %d;FACETS %d", light_defines(pass->desc.medium, pass->desc.slides),
+        pass->desc.by_importance ? "BY_IMPORTANCE;" : "", room, kinds, pass->desc.facets);
+    static const char format[] = "OCCLUSION %d;RECEIVERS %d;%s";
     bool by_rays = pass->desc.occlusion == NEAR_BY_RAYS;
-    char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
+    char *defines = mem_printf(format, by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED,
                                pass->desc.adaptive ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *adaptive = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
+    char *adaptive = mem_printf(format, pass->desc.occlusion, RECEIVERS_ADAPTIVE, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
                                .screen = {"passes/gather/near_light.frag", .layers = true},

@@ -1,13 +1,12 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
 // the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
-// log-polar, so that a corner is resolved at every distance. NEAR_VISIBILITY, a file, says whether something is between:
-//     bool is_between(s, sample, any)
-//     const bool NEAR_IS_TESTED        else nothing is
+// log-polar, so that a corner is resolved at every distance. OCCLUSION says how something between is found
+// (shared/gather.h).
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
-#include "passes/gather/near_field.glsl"
-#include "passes/gather/near_lights.glsl"
+#include "passes/gather/vpl_terms.glsl"
+#include "passes/gather/near_light.glsl"
 #include "passes/gather/receiver.glsl"
 #include "passes/gather/representative.glsl"
 #include "lib/medium.glsl"
@@ -38,7 +37,53 @@ struct near_arrival {
     int view_index;       // of the view that has it
 };
 
-#include NEAR_VISIBILITY
+// bool is_between(s, sample, any): a sample without light, not any, is at the receiver.
+#if OCCLUSION == NEAR_BY_VIEWS
+// Whether something is between two near places, by what the light sees: a place of the way that lies a little behind
+// that is within a caster. The light sees where near light comes from and what stands around it; what is behind that
+// in its shadow it does not.
+const int NEAR_PARTS = 4;
+// Casters are as deep as this, over the way's length: a little more than between two places.
+const float NEAR_CASTER_DEPTH = 0.3;
+// In texels of the view: a surface aslant is off its texel's middle by so much; and ways that have less than a texel
+// from place to place are not known.
+const float NEAR_BIAS = 0.25;
+const float NEAR_SHORTEST = 4.0;
+
+// Where the view has a position: ndc times w, w, and metres along its axis.
+vec4 place_in_view(view v, vec3 position) {
+    vec4 clip = v.world_to_clip * vec4(position, 1.0);
+    return vec4(clip.xyw, v.orthographic ? (1.0 - clip.z) * v.far : clip.w);
+}
+
+bool is_between(surface s, near_arrival representative, bool any) {
+    vec3 from = s.position, to = representative.position;
+    light_view seen = light_view_at(representative.view_index);
+    int size = near_size(seen.kind);
+    float way = distance(from, to), deep = NEAR_CASTER_DEPTH * way;
+    vec4 first = place_in_view(seen.view, from), last = place_in_view(seen.view, to);
+    float texel = 2.0 * length(seen.view.right) / float(size); // its width, over w
+    bool hidden = false;
+    // A count: a software rasteriser executes both sides of a branch.
+    int parts = any && way > NEAR_SHORTEST * texel * first.z ? NEAR_PARTS : 0;
+    for (int i = 1; i < parts && !hidden; i++) {
+        vec4 place = mix(first, last, float(i) / float(NEAR_PARTS));
+        float z = near_fetch(seen, near_texel(place.xy / place.z, size)).z, behind = place.w - z;
+        hidden = z > 0.0 && behind > NEAR_BIAS * texel * place.z && behind < deep;
+    }
+    return hidden;
+}
+#elif OCCLUSION == NEAR_BY_RAYS
+#include "passes/visibility/bvh.glsl"
+
+bool is_between(surface s, near_arrival representative, bool any) {
+    return is_blocked(s.position, s.normal, representative.position);
+}
+#else
+bool is_between(surface s, near_arrival representative, bool any) {
+    return false;
+}
+#endif
 
 // Where the light's view of that number has the point `ndc`.
 near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float reach) {
@@ -123,7 +168,7 @@ vec3 light_together(surface s, light l, inout near_spiral around, int count, flo
 
 vec3 light_of_samples(surface s, light l, near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
-    if (NEAR_IS_TESTED)
+    if (OCCLUSION != NEAR_UNOCCLUDED)
         for (int i = 0; i < count; i += NEAR_TOGETHER) {
             sum += light_together(s, l, around, min(NEAR_TOGETHER, count - i), random);
             random = group_random_next(random);

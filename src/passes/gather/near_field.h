@@ -5,7 +5,7 @@
  * 1 - near, and this pass gives near, from RSM texels around the receiver [Dachsbacher and
  * Stamminger 2005]. It replaces clamping and compensation [Kollig and Keller 2004]. With rays, one
  * sample of a group, chosen by its light, tests visibility for all: unbiased. Without rays near
- * light counts as unoccluded except at detail (src/passes/gather/near_by_views.glsl), and with
+ * light counts as unoccluded except at detail (src/passes/gather/near_field.frag), and with
  * few VPLs light leaks through walls. Cost: pixels in reach x samples x light groups. Slots share
  * the lights of a group by flux. List entries take all lights and divide their samples. */
 #ifndef PASSES_NEAR_FIELD_H

@@ -3,13 +3,13 @@
 #include "lib/vpl_shares.glsl"
 #include "lib/light_domain.glsl"
 #include "passes/gather/near_light.glsl"
-#include "passes/lights/rsm_light.glsl"
+#include "lib/rsm.glsl"
 #include "shared/gather.h"
 #include "shared/vpl.h"
 
 PASS_BLOCK(near_field_params, 48)
 
-#include VPL_AREA
+#include "passes/lights/vpl_density.glsl"
 
 layout(location = LOCATION_FIRST_VIEW) uniform int first_view; // of this kind
 flat in int instance;

@@ -16,9 +16,8 @@ enum { RAYS = 1, ADAPTIVE_RAYS = 8 }; /* of a pixel */
 static bool init_program(const struct near_sampled_pass *pass, GLuint *program, int receivers) {
     const struct near_sampled_desc *desc = &pass->desc;
     bool of_lists = receivers == RECEIVERS_ADAPTIVE;
-    char *defines =
-        mem_printf("%sRECEIVERS %d;VPL_AREA %s", light_defines(desc->medium, desc->slides),
-                   receivers, vpl_area_file(desc->by_importance));
+    char *defines = mem_printf("%s%sRECEIVERS %d", light_defines(desc->medium, desc->slides),
+                               desc->by_importance ? "BY_IMPORTANCE;" : "", receivers);
     bool ok = program_init(
         program, &(struct program_desc){
                      .vertex = of_lists ? "passes/gather/list_rows.vert" : NULL,

@@ -1,12 +1,12 @@
 // Near field of sampled lights, by rays from the receiver:
 //     E = 1/n sum_j  rho E_y near(d)     y: what ray j meets; E_y: by one light of the tree
 #include "passes/gather/receiver.glsl"
-#include "passes/gather/near_field.glsl"
-#include "lib/lattice.glsl"
+#include "passes/gather/vpl_terms.glsl"
+#include "lib/random.glsl"
 #include "passes/lights/vpl_sampled.glsl"
 #include "passes/visibility/shadow_ray.glsl"
 #include "lib/vpl_shares.glsl"
-#include VPL_AREA
+#include "passes/lights/vpl_density.glsl"
 
 PASS_BLOCK(near_sampled_params, 32)
 

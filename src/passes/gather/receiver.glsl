@@ -5,7 +5,23 @@
 #include "shared/gather.h"
 
 #if RECEIVERS == RECEIVERS_ALL
-#include "passes/gather/receiver_all.glsl"
+// All pixels: a texel's is the one at the tile's place in the pattern.
+#include "lib/gbuffer.glsl"
+#include "lib/tiles.glsl"
+#include "passes/gather/receiver_facet.glsl"
+
+bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
+    pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);
+    return true;
+}
+
+surface receiver_surface(ivec2 pixel) {
+    return gbuffer_surface(pixel);
+}
+
+vec3 receiver_triangle(surface s, ivec2 pixel) {
+    return facet_of(s, pixel);
+}
 #elif RECEIVERS == RECEIVERS_ADAPTIVE
 // The pixel or the edge sample that a list has in the texel.
 #include "lib/edge_sample.glsl"
@@ -59,8 +75,8 @@ vec3 receiver_triangle(surface s, ivec2 pixel) {
 #else
 // All pixels but those that lists have.
 #include "lib/gbuffer.glsl"
-#include "lib/interleaving.glsl"
-#include "passes/gather/list_texel.glsl"
+#include "lib/tiles.glsl"
+#include "lib/tiles.glsl"
 #include "passes/gather/receiver_facet.glsl"
 
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;

@@ -1,6 +1,6 @@
 // The light of a whole cluster, as a rectangle that shines alike everywhere.
 #include "lib/polygon.glsl"
-#include "passes/gather/near_field.glsl"
+#include "passes/gather/vpl_terms.glsl"
 #include "shared/gather.h"
 
 const bool TERM_OF_POINT = false;

@@ -1,7 +1,6 @@
 // Of a group of lights one, taken by how much it gives, tests visibility for all: on average each counts as if it had
 // tested its own.
-#include "lib/lattice.glsl"
-#include "lib/weighted_pick.glsl"
+#include "lib/random.glsl"
 
 // A number of [0, 1) for a pixel's first group: pixels side by side have numbers far apart. turn: from pass to pass.
 float group_random(ivec2 pixel, float turn) {

@@ -14,11 +14,11 @@ static bool init_program(struct specular_rays_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *defines = mem_printf("%s%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
+    char *defines = mem_printf("%s%s%s%sRECEIVERS %d;LATER %d;LIGHTS %d;MAP_KINDS %d",
                                light_defines(pass->desc.medium, pass->desc.slides),
                                lights->sky ? "HAS_SKY;" : "", lights->many ? "HAS_SAMPLED;" : "",
-                               pass->desc.later, lights->lights, kinds,
-                               vpl_area_file(pass->desc.by_importance));
+                               pass->desc.by_importance ? "BY_IMPORTANCE;" : "", RECEIVERS_ALL,
+                               pass->desc.later, lights->lights, kinds);
     bool ok = program_init(&pass->program, &(struct program_desc){
                                                .screen = {"passes/gather/specular_rays.frag",
                                                           .blended = true, .tiled = true},

@@ -3,11 +3,9 @@
 // The surface y that a ray meets has the direct light of its pixel if the camera sees y. Else y takes one light, chosen
 // by the light that it gives there if nothing hides it: no choice makes y brighter than all lights do.
 // A draw fills one tile of the gather's pattern.
-#include "passes/gather/seen_end.glsl"
+#include "passes/gather/specular_ways.glsl"
 #include "lib/random.glsl"
-#include "lib/weighted_pick.glsl"
-#include "passes/gather/receiver_all.glsl"
-#include "passes/gather/specular_weight.glsl"
+#include "passes/gather/receiver.glsl"
 #include "lib/light_domain.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/gather.h"
@@ -16,8 +14,8 @@
 PASS_BLOCK(specular_rays_params, 48)
 
 #include "passes/lights/hit_light.glsl"
-#include "passes/lights/triangle_albedo.glsl"
-#include VPL_AREA
+#include "passes/lights/light_end.glsl"
+#include "passes/lights/vpl_density.glsl"
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray gbuffer_albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D direct;

@@ -12,7 +12,7 @@ static uint16_t fraction(float value) {
     return (uint16_t)lrintf(65535 * glm_clamp_zo(value));
 }
 
-/* The second texel is as in glsl/lib/specular.glsl. */
+/* The second texel is as in glsl/lib/brdf.glsl. */
 static void write_texels(const struct triangle_albedo *from, uint16_t to[TEXELS][CHANNELS]) {
     for (int c = 0; c < 3; c++) {
         to[0][c] = fraction(sqrtf(from->color[c]));

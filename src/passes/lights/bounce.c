@@ -18,8 +18,7 @@
 
 static bool init_path_program(struct bounce_pass *pass) {
     char *defines =
-        mem_printf("%sPATH_WEIGHT passes/lights/path_weight_%s.glsl",
-                   light_defines(pass->desc.medium, false), pass->desc.seen ? "seen" : "even");
+        mem_printf("%s%s", light_defines(pass->desc.medium, false), pass->desc.seen ? "SEEN" : "");
     const struct program_desc desc = {.screen = {"passes/lights/bounce_path.frag"},
                                       .defines = defines};
     bool ok = program_init(&pass->path_program, &desc);

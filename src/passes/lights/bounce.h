@@ -6,11 +6,11 @@
  * share the light of their paths by distance and normals [Shepard 1968]. A path shares with its
  * four nearest VPLs, up to the first that it does not see and a quarter of the scene's radius.
  * Isolated VPLs get the light lost where VPLs are few (bounce_shares.frag). Pixels take VPLs as
- * patches (gather/patch.glsl), which lose light at small or bent surfaces. The retained fraction is
- * estimated from paths whose light reaches visible surfaces; the lost energy is added back
- * uniformly. Numbers of a path depend on no light or camera. Paths see one colour a triangle. Cost:
- * 4 P rays a bounce and 2 P, half of these a view; per VPL BOUNCE_PARTNERS distances and twice
- * those of its pool's paths. */
+ * patches (gather/vpl_terms.glsl), which lose light at small or bent surfaces. The retained
+ * fraction is estimated from paths whose light reaches visible surfaces; the lost energy is added
+ * back uniformly. Numbers of a path depend on no light or camera. Paths see one colour a triangle.
+ * Cost: 4 P rays a bounce and 2 P, half of these a view; per VPL BOUNCE_PARTNERS distances and
+ * twice those of its pool's paths. */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
 

@@ -1,5 +1,5 @@
 // How far the nearest VPLs lie that face as VPL x does, squared: a row's part of the runs. Runs of paths are even subsets; their
-// mean is steadier than one (passes/lights/bounce_areas.glsl).
+// mean is steadier than one (passes/lights/bounce_paths.glsl).
 #include "passes/lights/bounce_paths.glsl"
 
 layout(location = TARGET_RESULT) out vec4 nearest_squares;

@@ -1,5 +1,5 @@
 // VPL x's share of the light of the paths of row y.
-#include "passes/lights/bounce_share.glsl"
+#include "passes/lights/bounce_paths.glsl"
 
 layout(binding = UNIT_PATH_RESULTS) uniform sampler2D path_shares;
 

@@ -2,9 +2,8 @@
 // the eye tells, as what is seen may be thinner than a pixel, and the light may have come from behind it.
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/bounce_paths.glsl"
-#include "passes/lights/bounce_areas.glsl"
-#include "passes/gather/patch.glsl"
-#include "lib/camera.glsl"
+#include "passes/gather/vpl_terms.glsl"
+#include "lib/gbuffer.glsl"
 
 layout(location = TARGET_RESULT) out vec4 seen_and_all;
 

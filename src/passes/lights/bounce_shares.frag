@@ -2,7 +2,7 @@
 // lends to its nearest VPLs, up to the first that it does not see: ground goes on behind a wall as a floor. A path of row 0
 // leaves a VPL, which has all of its light, and as much more as paths like it lose where they find no other VPL. Where a
 // path finds none by chance, another finds itself alone: what is lost on the mean is given back.
-#include "passes/lights/bounce_share.glsl"
+#include "passes/lights/bounce_paths.glsl"
 #include "passes/visibility/bvh.glsl"
 
 layout(location = TARGET_RESULT) out vec4 per_share;

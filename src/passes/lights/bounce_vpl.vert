@@ -1,6 +1,5 @@
 // What path i of row 0 has left becomes VPL i, with its share of the light of all.
 #include "passes/lights/bounce_paths.glsl"
-#include "passes/lights/bounce_areas.glsl"
 #include "lib/vpl_output.glsl"
 
 layout(binding = UNIT_PATH_RESULTS) uniform sampler2D shared_fluxes; // of each row's paths

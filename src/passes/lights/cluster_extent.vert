@@ -1,8 +1,7 @@
 // Each VPL lands on its VAL's pixel with its place in the plane perpendicular to the mean normal, both
 // signs, so that MAX blending finds the bounding rectangle in one draw [Dong 2009 §6].
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "shared/cluster.h"
-#include "passes/lights/val_texels.glsl"
 #include "passes/lights/val_distance.glsl"
 #include "lib/vpl_input.glsl"
 

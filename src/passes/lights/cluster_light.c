@@ -20,7 +20,8 @@ static bool init_light_program(GLuint *program, int form, bool rectangles) {
 static bool init_programs(struct cluster_light_pass *pass) {
     return program_init(&pass->moment_program,
                         &(struct program_desc){.vertex = "passes/lights/cluster_moments.vert",
-                                               .fragment = "passes/lights/cluster_moments.frag"}) &&
+                                               .fragment = "passes/lights/point.frag",
+                                               .defines = "PAIR"}) &&
            init_light_program(&pass->light_program, pass->desc.form, false) &&
            init_light_program(&pass->rectangle_program, pass->desc.form, true);
 }

@@ -1,7 +1,7 @@
 // Vertex j becomes the light of cluster j: RECTANGLES its rectangle, or else all that a VPL has. The rectangle's
 // second moments in the plane across the mean normal are the cluster's: half sides of sqrt(3 lambda), which is
 // exact for a rectangle that shines alike everywhere. A cluster of no VPLs is a light of no flux.
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "shared/gather.h"
 #if RECTANGLES
 layout(xfb_buffer = 0, xfb_stride = 32) out;

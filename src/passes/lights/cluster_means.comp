@@ -24,6 +24,7 @@ vec3 val_flux(int k) {
     return imageLoad(vals_flux, ivec2(k, 0)).rgb;
 }
 
+#define VALS_AS_IMAGES
 #include "passes/lights/val_distance.glsl"
 
 // VAL k starts as VPL k N / M, the same every frame [Dong 2009 §6]; of many as VPL k: Halton's first points are even,
@@ -61,7 +62,7 @@ vpl seed_vpl(int k) {
 #if WEIGHTED
 // How much VPL i counts where VPLs are clustered: by what it would give to the picture, and a little for all, as what is
 // between is not asked and what is hardly seen needs a cluster, too.
-#include "lib/vpl_rows.glsl"
+#include "lib/vpl_texels.glsl"
 
 layout(binding = UNIT_VPL_VALUES) uniform sampler2D vpl_values;
 layout(binding = UNIT_VPL_VALUE_SUM) uniform sampler2D vpl_value_sum; // and how many VPLs have light

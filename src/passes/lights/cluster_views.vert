@@ -6,9 +6,8 @@
 // VPLs on a ball lies within, and a place on the ball would see but a side of it: such a mean is moved onto the
 // tangent plane.
 #include "passes/visibility/map_view_output.glsl"
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "shared/cluster.h"
-#include "passes/lights/val_texels.glsl"
 #include "passes/lights/val_distance.glsl"
 #include "lib/vpl_texels.glsl" // with their VALs' numbers
 

@@ -1,7 +1,7 @@
 // The radiance of a surface that a ray has met, by one light chosen by what it gives there.
 #include "lib/lobe_albedo.glsl"
 #include "lib/medium.glsl"
-#include "lib/rsm_specular.glsl"
+#include "lib/rsm.glsl"
 #include "passes/visibility/bvh.glsl"
 
 #ifdef HAS_SAMPLED
@@ -113,7 +113,7 @@ void take_from_map(light l, inout surface end, inout vec3 albedo, inout vec4 cod
 
 // What of the light's irradiance the surface sends to the receiver, 1/sr times the light's cosine there. Few rays would
 // find a narrow highlight, as spots. So its lobe is widened by the receiver's [Kaplanyan and Dachsbacher 2013], and is
-// END_ALPHA_MIN at least. Diffuse is what the albedo has beside the specular part (passes/picture/surface_detail.glsl).
+// END_ALPHA_MIN at least. Diffuse is what the albedo has beside the specular part (passes/picture/geometry.frag).
 vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_receiver, float receiver_alpha) {
     vec4 specular = specular_decode(code);
     vec3 f90 = specular_grazing(code);

@@ -1,10 +1,8 @@
 // A candidate lands on its cell with its value over the density of candidates there: of all rounds so far, which is the
 // balance heuristic [Veach 1997, §9.2.2].
-#include "passes/lights/importance_cells.glsl"
-#include "passes/lights/light_fraction.glsl"
-#if ROUND > 0
+#include "lib/vpl_shares.glsl"
+#include "shared/importance_map.h"
 #include "passes/lights/vpl_density.glsl"
-#endif
 #ifdef SKY_RAYS
 #include "passes/lights/sky_pieces.glsl"
 #endif
@@ -16,11 +14,11 @@ flat out vec4 value; // and count
 void main() {
     vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % params.side, gl_VertexID / params.side), 0);
     int index = int(candidate.z);
-    float density = 1.0 / max(float(light_count) * light_fraction(index), 1e-30);
+    float density = 1.0 / max(float(light_count) * light_fraction(index, params.vpls), 1e-30);
 #ifdef SKY_RAYS
     density *= sky_door_density(index, candidate.xy);
 #endif
-#if ROUND > 0
+#ifdef BY_IMPORTANCE
     density += vpl_density(index, candidate.xy);
 #endif
     value = vec4(candidate.w / density, 1.0, 0.0, 0.0);

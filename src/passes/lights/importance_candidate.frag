@@ -4,13 +4,31 @@
 // visibility for all of them: to a pixel picked in proportion to its term, so that the estimate is unbiased.
 #define CLAMP GATHER_CLAMP_DISK
 #include "lib/vpl_shares.glsl"
-#include "lib/weighted_pick.glsl"
+#include "lib/random.glsl"
 #include "passes/gather/geometry_term.glsl"
-#include "passes/lights/seen_pixel.glsl"
+#include "lib/gbuffer.glsl"
 #include "passes/lights/vpl_reflected.glsl"
 #include "passes/visibility/bvh.glsl"
 #include "shared/importance_map.h"
-#include VPL_CHOICE
+#ifdef BY_IMPORTANCE
+#include "passes/lights/vpl_by_importance.glsl"
+#else
+#ifdef SKY_RAYS
+#include "passes/lights/sky_pieces.glsl"
+#endif
+
+// In the first round as many of each light.
+float vpl_choose(vec3 point, out int index, out vec2 place) {
+    float turn = point.z * float(light_count);
+    index = min(int(turn), light_count - 1);
+    place = point.xy;
+#ifdef SKY_RAYS
+    vec4 door = sky_door(index);
+    place = fract(turn) < 0.5 ? door.xy + door.zw * place : place;
+#endif
+    return 1.0;
+}
+#endif
 #ifdef LATER
 // A candidate counts for later bounces, too: as a VPL where its light walks to.
 #include "passes/lights/light_walk.glsl"

@@ -24,11 +24,10 @@ static int side_of(const struct importance_map_pass *pass) {
 static const float later_area = 1e-3F;
 
 static bool init_round(struct importance_map_pass *pass, int round) {
-    static const char *const choices[] = {"candidate_by_light", "vpl_by_importance"};
     char *defines =
-        mem_printf("ROUND %d;%s%s%sVPL_CHOICE passes/lights/%s.glsl", round,
+        mem_printf("ROUND %d;%s%s%s%s", round, round > 0 ? "BY_IMPORTANCE;" : "",
                    pass->desc.bounces > 1 ? "LATER;" : "", pass->desc.sky_rays ? "SKY_RAYS;" : "",
-                   pass->desc.sampled ? "HAS_SAMPLED;" : "", choices[round > 0]);
+                   pass->desc.sampled ? "HAS_SAMPLED;" : "");
     bool ok =
         program_init(&pass->candidate_programs[round],
                      &(struct program_desc){.screen = {"passes/lights/importance_candidate.frag"},

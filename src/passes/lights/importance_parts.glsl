@@ -1,5 +1,5 @@
 // How importance divides a node of a light's domain among its quarters.
-#include "passes/lights/importance_cells.glsl"
+#include "passes/lights/vpl_density.glsl"
 #include "shared/importance_map.h"
 
 // Value and number of the candidates that landed on a cell; on further levels the means over 2 x 2, 4 x 4 ... cells.

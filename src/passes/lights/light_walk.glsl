@@ -5,8 +5,7 @@
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/light_end.glsl"
 #include "lib/random.glsl"
-#include "lib/tangent.glsl"
-#include "lib/weighted_pick.glsl"
+#include "lib/direction.glsl"
 #include "shared/light_walk.h"
 
 vec2 walk_number(int ray);

@@ -5,7 +5,7 @@
 #include "shared/seed_importance.h"
 
 #if !NUMBERS
-#include "passes/lights/seen_pixel.glsl"
+#include "lib/gbuffer.glsl"
 #endif
 
 layout(location = ATTRIBUTE_VPL_POINT) in vec3 place_and_light;

@@ -1,7 +1,7 @@
 // The number of the VPL where cluster k begins: Halton's point k, warped so that as many lie where the importance is
 // greater [Clarberg et al. 2005]. From all of the light's domain down to a cell: its halves along u, then along v, are
 // stretched to their shares. -1 where the cell has no VPL.
-#include "passes/lights/take_half.glsl"
+#include "lib/random.glsl"
 #include "shared/seed_importance.h"
 
 layout(binding = UNIT_SEED_IMPORTANCE) uniform sampler2D importances; // with means over 2 x 2, 4 x 4 ... cells

@@ -1,6 +1,6 @@
 // For each node and set of pixels the VPL that stands for all: chosen by flux, evenly over the sets.
 #include "passes/lights/tree_keys.glsl"
-#include "lib/vpl_tree_nodes.glsl"
+#include "lib/vpl_tree.glsl"
 
 flat in int instance;
 

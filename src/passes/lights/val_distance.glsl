@@ -1,11 +1,32 @@
 // The clustering criterion, of lengths [Dong 2009 §5.1] or of squares [Prutkin 2012, eq. 1]:
 //     d = w_x |x - c| + w_alpha angle(n, m)
 //     d = w_d |x - c|^2 + w_n (1 - n m) + w_Phi |Phi / |Phi| - Phi_c / |Phi_c||^2
-// Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count. The including
-// file has val_position, val_normal and val_flux of a number (passes/lights/val_texels.glsl).
+// Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count. VALS_AS_IMAGES:
+// the including file has val_position, val_normal and val_flux of a number.
 #include "shared/cluster.h"
 #include "shared/vpl.h"
 #include "lib/vpl_sums.glsl"
+
+#ifndef VALS_AS_IMAGES
+layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
+layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
+
+vec3 val_position(int k) {
+    return texelFetch(val_positions, ivec2(k, 0), 0).xyz;
+}
+
+vec3 val_normal(int k) {
+    return texelFetch(val_normals, ivec2(k, 0), 0).xyz;
+}
+
+#if METRIC == CLUSTER_METRIC_SQUARES
+layout(binding = UNIT_VAL_FLUX) uniform sampler2D val_fluxes;
+
+vec3 val_flux(int k) {
+    return texelFetch(val_fluxes, ivec2(k, 0), 0).rgb;
+}
+#endif
+#endif
 
 // 1/m.
 float position_weight() {

@@ -1,6 +1,6 @@
 // What the VALs do at each pixel, each taken for one light in its centre: the strongest one's colour,
 // and which share of the light of all of them arrives.
-#include "passes/lights/cluster_color.glsl"
+#include "lib/vpl_rows.glsl"
 #include "lib/gbuffer.glsl"
 #include "passes/visibility/visibility.glsl"
 

@@ -27,11 +27,11 @@ struct vpl_point {
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
-    char *vpl_defines = mem_printf(
-        "%s%s%s%s%sVPL_CHOICE passes/lights/vpl_by_%s.glsl",
-        light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
-        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.sampled ? "HAS_SAMPLED;" : "",
-        pass->desc.lobes ? "VPL_LOBES;" : "", pass->desc.by_importance ? "importance" : "flux");
+    char *vpl_defines =
+        mem_printf("%s%s%s%s%s%s", light_defines(pass->desc.medium, pass->desc.slides),
+                   pass->desc.of_paths ? "LATER;" : "", pass->desc.sky_rays ? "SKY_RAYS;" : "",
+                   pass->desc.sampled ? "HAS_SAMPLED;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
+                   pass->desc.by_importance ? "BY_IMPORTANCE;" : "");
     const struct program_desc vpl = {.vertex = "passes/lights/vpl.vert", .defines = vpl_defines};
     bool ok = program_init(&pass->program, &vpl) &&
               program_init(&pass->sums_program,

@@ -2,8 +2,18 @@
 #include "passes/lights/vpl_reflected.glsl"
 #include "lib/vpl_output.glsl"
 #include "lib/vpl_shares.glsl"
-#include "passes/lights/vpl_dense_area.glsl"
-#include VPL_CHOICE
+#ifdef BY_IMPORTANCE
+#include "passes/lights/vpl_by_importance.glsl"
+#else
+#include "passes/lights/vpl_density.glsl"
+
+// By flux: points know their light (passes/lights/vpl.c).
+float vpl_choose(vec3 point, out int index, out vec2 place) {
+    index = int(point.z);
+    place = point.xy;
+    return 1.0;
+}
+#endif
 
 layout(location = ATTRIBUTE_VPL_POINT) in vec3 halton_and_light;
 

@@ -2,7 +2,7 @@
 // importance is greater [Clarberg et al. 2005; Ritschel et al. 2011]. From the light's whole domain down to a cell, the
 // halves of each node along u, then along v, are stretched to their fractions. Even points stay even.
 #include "passes/lights/importance_parts.glsl"
-#include "passes/lights/take_half.glsl"
+#include "lib/random.glsl"
 #include "passes/lights/vpl_density.glsl"
 
 layout(binding = UNIT_IMPORTANCE_LIGHTS) uniform sampler2D importance_lights;

@@ -1,10 +1,10 @@
 // The lobe by which a VPL mirrors its light. VPLs emit evenly without VPL_LOBES.
 #ifdef VPL_LOBES
 #include "lib/lobe_albedo.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/specular.glsl"
+#include "lib/direction.glsl"
+#include "lib/brdf.glsl"
 
-// specular: as in lib/specular.glsl, a part of `albedo`; cosine: of the unit direction to the light; bend: how much the VPL's
+// specular: as in lib/brdf.glsl, a part of `albedo`; cosine: of the unit direction to the light; bend: how much the VPL's
 // patch bends.
 void take_lobe(inout vpl v, vec4 specular, vec3 albedo, vec3 to_light, float cosine, float bend) {
     float grazing = max(cosine, BRDF_LEAST_COSINE);

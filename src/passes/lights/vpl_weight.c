@@ -6,15 +6,10 @@
 #include "passes/targets.h"
 
 static bool init_programs(struct vpl_weight_pass *pass) {
-    const struct {
-        GLuint *program;
-        const char *fragment;
-    } drawn[] = {{&pass->program, "passes/lights/vpl_weight.frag"},
-                 {&pass->sum_program, "passes/lights/vpl_weight_sum.frag"}};
-    for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
-        if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
-            return false;
-    return true;
+    const struct screen_desc screen = {.body = "passes/lights/vpl_weight.frag"};
+    return program_init(&pass->program, &(struct program_desc){.screen = screen}) &&
+           program_init(&pass->sum_program,
+                        &(struct program_desc){.screen = screen, .defines = "SUM"});
 }
 
 static bool init_row(struct texture *texture, GLuint *framebuffer, GLenum format, int width) {

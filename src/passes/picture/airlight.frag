@@ -4,7 +4,7 @@
 // function times d(scattering angle) / d(psi) is then |(sin psi, k cos psi)| / (2 pi (1 + g)), which has no peak.
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
-#include "passes/picture/sight.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/medium.h"
 
 PASS_BLOCK(airlight_params, 16 + 4 * 16 * LIGHTS_MAX)

@@ -1,7 +1,7 @@
 // Joins the steps of a pattern's pixels along one axis, among neighbours of like depth; the ends have half weight, as
 // in passes/gather/blur.frag. Shadows alone are noisy: where light without them changes from pixel to pixel, as around a light
 // and at the edge of its cone, only its share that arrives is blurred. The last axis also writes what the medium lets pass.
-#include "passes/picture/sight.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/medium.h"
 
 PASS_BLOCK(airlight_params, 16 + 4 * 16 * LIGHTS_MAX)

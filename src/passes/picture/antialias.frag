@@ -1,7 +1,6 @@
 // Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds an
 // edge sample to shade where it lies on none's.
 #include "lib/edge_sample.glsl"
-#include "passes/picture/sample_assignment.glsl"
 #include "passes/picture/sample_plane.glsl"
 
 layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;

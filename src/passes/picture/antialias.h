@@ -37,7 +37,7 @@ struct antialias_pass {
     /* D32F; RGBA8, 0.5 + 0.5 n: one layer of samples after another. */
     struct texture depths, normals;
     struct pixel_mask edges; /* pixels with an edge */
-    /* RG32UI, passes/picture/sample_assignment.glsl. 0: the pixel itself. 1 x 1 if samples is 1. */
+    /* RG32UI, lib/edge_sample.glsl. 0: the pixel itself. 1 x 1 if samples is 1. */
     struct texture assignment;
     struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; 1 x 1 if samples is 1 */
     GLuint sample_framebuffer, assignment_framebuffer;

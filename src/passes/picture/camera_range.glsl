@@ -1,5 +1,5 @@
 // What lies nearer or farther than the camera sees is cut away, where a pass asks for it (scene/camera_range.h).
-#include "lib/camera.glsl"
+#include "lib/gbuffer.glsl"
 
 layout(location = LOCATION_CAMERA_RANGE) uniform vec2 camera_range; // metres
 

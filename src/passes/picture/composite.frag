@@ -1,7 +1,6 @@
 // The picture for a display: exposure, tone map, sRGB. Twice: by what pixels' centres see, and where a pixel's samples
 // see something else, which the depth then says, by all of them. Few pixels are: a software rasteriser skips what
 // fails the test, but executes both sides of a branch.
-#include "passes/picture/background.glsl"
 #include "passes/picture/layer.glsl"
 
 #ifndef CENTERS

@@ -1,9 +1,9 @@
 // The layers of a picture, from the buffers of the frame.
 #include "shared/composite.h"
 #include "lib/gbuffer.glsl"
-#include "passes/gather/list_texel.glsl"
-#include "passes/picture/layer_weight.glsl"
-#include "passes/picture/sample_assignment.glsl"
+#include "lib/tiles.glsl"
+#include "passes/picture/layer_shown.glsl"
+#include "lib/edge_sample.glsl"
 
 // What smooth surfaces throw onto this one: radiance of a white surface. A smooth surface itself has there what it shows,
 // radiance, and in A 1 and the part of it that is indirect light (passes/caustics/glass.h).
@@ -71,7 +71,7 @@ vec3 emitted(ivec2 texel) {
 
 // What lies behind all surfaces, and between them and the camera.
 #ifdef HAS_SKY
-#include "lib/panorama.glsl"
+#include "lib/direction.glsl"
 
 layout(binding = UNIT_SKY) uniform sampler2D sky;
 

@@ -1,10 +1,6 @@
 // A layer of the mean of several passes, from sums of layers that were weighted when they were added
 // (passes/picture/layer.frag): as linear floats, or for a display.
-#include "passes/picture/layer_weight.glsl"
-#include "shared/composite.h"
-#ifdef DISPLAY
-#include "passes/picture/background.glsl"
-#endif
+#include "passes/picture/layer_shown.glsl"
 
 layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYER_COUNT];
 

@@ -1,8 +1,8 @@
 // The nearest pane before what a pixel sees that reflects diffusely to the camera, as a surface of a G-buffer. It lies a
 // little above the pane, which else would dim its own light.
 #include "lib/medium.glsl"
-#include "lib/octahedral.glsl"
-#include "passes/picture/sight.glsl"
+#include "lib/direction.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/show_panes.h"
 
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;

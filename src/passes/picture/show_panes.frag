@@ -1,7 +1,7 @@
 // What panes before the surfaces of the picture let pass to the camera, and their own light: diffuse light as the nearest
 // reflecting pane receives it, direct light of panes behind that by shadow rays, and the sky that glass reflects.
-#include "lib/panorama.glsl"
-#include "passes/picture/sight.glsl"
+#include "lib/direction.glsl"
+#include "lib/gbuffer.glsl"
 #include "passes/visibility/shadow_ray.glsl"
 #include "shared/show_panes.h"
 

@@ -3,7 +3,7 @@
 
 PASS_BLOCK(basis_params, 16)
 
-#include "passes/visibility/series_bases.glsl"
+#include "passes/visibility/series.glsl"
 
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 

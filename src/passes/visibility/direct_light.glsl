@@ -1,6 +1,7 @@
 // Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
 #include "passes/gather/receiver_facet.glsl"
-#include "passes/visibility/lamp_panes.glsl"
+#include "lib/direction.glsl"
+#include "lib/medium.glsl"
 
 float arriving(surface s, light l, vec3 direction);
 
@@ -9,7 +10,6 @@ layout(location = LOCATION_LIGHT) uniform int light_index;
 layout(location = TARGET_RESULT) out vec4 direct;
 #ifdef HAS_SPECULAR
 #include "lib/unshadowed_specular.glsl"
-#include "passes/visibility/diffuse_share.glsl"
 #include "passes/visibility/pixel_spread.glsl"
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
@@ -18,6 +18,40 @@ layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 float angular_width(light l, float away) {
     float width = l.shape == LIGHT_SHAPE_RECTANGLE ? min(l.width, l.height) : l.width;
     return l.shape == LIGHT_SHAPE_CAP ? width : width / max(away, 1e-20);
+}
+#endif
+
+// What a medium and panes let pass of a light with a size. Panes have edges, which points of the light see apart.
+#ifdef HAS_MEDIUM
+const int LAMP_PLACES = 16;
+
+// From its middle, of a directional light one metre away; `place` is from 0 to 1.
+vec3 lamp_place(light l, vec3 direction, vec2 place) {
+    if (l.shape == LIGHT_SHAPE_RECTANGLE)
+        return (place.x - 0.5) * l.width * l.right + (place.y - 0.5) * l.height * l.up;
+    bool flat_disk = l.shape == LIGHT_SHAPE_DISK;
+    vec3 right = flat_disk ? l.right : perpendicular(direction), up = flat_disk ? l.up : cross(direction, right);
+    return disk_place(l.shape == LIGHT_SHAPE_CAP ? tan(0.5 * l.width) : 0.5 * l.width, right, up, place);
+}
+
+vec3 lamp_passes(light l, surface s, vec3 direction, float distance2) {
+    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
+    float metres = directional ? MEDIUM_FAR : sqrt(distance2);
+    int places = l.shape == LIGHT_SHAPE_POINT || panes_none() ? 1 : LAMP_PLACES;
+    vec2 shift = places == 1 ? vec2(0.0) : random_of(uvec3(gl_FragCoord.xy, l.first_view));
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < places; i++) {
+        vec2 place = fract(shift + vec2(float(i) / float(places), float(i) * 0.61803399));
+        vec3 to = -direction * (directional ? 1.0 : metres);
+        to += places == 1 ? vec3(0.0) : lamp_place(l, direction, place);
+        float away = length(to);
+        sum += medium_panes(s.position, to / away, directional ? MEDIUM_FAR : away);
+    }
+    return sum / float(places) * medium_alone(s.position, -direction, metres);
+}
+#else
+vec3 lamp_passes(light l, surface s, vec3 direction, float distance2) {
+    return vec3(1.0);
 }
 #endif
 

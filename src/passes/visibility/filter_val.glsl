@@ -11,7 +11,7 @@ float lit(int map, receiver r, float extent) {
 // something nearer than the receiver, its plane, met in the receiver's own direction, may yet lie behind: in a
 // corner the other wall does. A triangle then hides nothing there, so that neither walls beside nor the
 // receiver's own surface need a depth bias.
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 #include "passes/visibility/depth_maps.glsl"
 
 layout(binding = UNIT_MAP_NORMAL) uniform sampler2DArray map_normals;

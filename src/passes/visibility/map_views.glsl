@@ -1,3 +1,4 @@
+// The views that a set of maps is seen from.
 #include "shared/maps.h"
 
 layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {

@@ -1,7 +1,7 @@
 // The exact map depth: where the pixel's true direction meets the caster.
 #include "passes/visibility/paraboloid.glsl"
 #include "shared/maps.h"
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 #include "shared/material.h"
 
 PASS_BLOCK(paraboloid_params, 16)

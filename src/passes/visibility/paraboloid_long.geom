@@ -1,5 +1,5 @@
 // A long caster on its way into a paraboloid depth map. The projection is stereographic: it makes each edge an arc of
-// a circle, which a rasteriser cannot draw. So a polygon around the bent triangle is drawn, and paraboloid_long.glsl
+// a circle, which a rasteriser cannot draw. So a polygon around the bent triangle is drawn, and paraboloid.frag
 // leaves out what lies beyond its edges.
 #include "passes/visibility/map_views.glsl"
 #include "passes/visibility/paraboloid.glsl"

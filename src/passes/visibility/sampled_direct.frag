@@ -12,7 +12,6 @@ layout(location = TARGET_RESULT) out vec4 exact; // radiance of a white surface
 layout(location = TARGET_SAMPLED) out vec4 irradiance;
 #ifdef HAS_SPECULAR
 #include "lib/unshadowed_specular.glsl"
-#include "passes/visibility/diffuse_share.glsl"
 #include "passes/visibility/pixel_spread.glsl"
 
 layout(location = TARGET_SAMPLED_EXACT_SPECULAR) out vec4 exact_specular;

@@ -23,11 +23,11 @@ bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_
     *pass = (struct shadow_map_pass){0};
     bool ok = program_init(&pass->opaque_program,
                            &(struct program_desc){.vertex = "passes/visibility/shadow_map.vert",
-                                                  .fragment = "passes/picture/depth_only.frag"}) &&
+                                                  .fragment = "passes/picture/depth.frag"}) &&
               program_init(&pass->masked_program,
                            &(struct program_desc){.vertex = "passes/picture/geometry.vert",
-                                                  .fragment = "passes/picture/depth_masked.frag",
-                                                  .defines = "LIGHT_VIEW"});
+                                                  .fragment = "passes/picture/depth.frag",
+                                                  .defines = "LIGHT_VIEW;MASKED"});
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_maps(pass, kind, light_map_size(kind, desc->size), desc->lights.views[kind]);
     if (!ok)

@@ -1,6 +1,6 @@
 // What four lights of a sky give a surface that nothing hides from them, irradiance over radiance, by its
 // normal: octahedral, the middles of the outer texels on the edge. The layer after them has the luminance of all lights.
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 #include "lib/sky.glsl"
 #include "shared/sky.h"
 

@@ -20,13 +20,14 @@ static bool init_programs(struct sums_pass *pass, const struct sums_desc *desc) 
                      ? mem_printf("%s", format)
                      : mem_printf("%s;BASIS_TERMS %d;BASIS_GROUPS %d;MAP_COUNT %d", format,
                                   desc->terms, (desc->terms + 3) / 4, desc->count);
+    char *columns = mem_printf("%s;COLUMNS", format);
     bool ok = program_init(&pass->rows_program,
-                           &(struct program_desc){.compute = "passes/visibility/sum_rows.comp",
+                           &(struct program_desc){.compute = "passes/visibility/sum.comp",
                                                   .defines = rows}) &&
               program_init(&pass->columns_program,
-                           &(struct program_desc){.compute = "passes/visibility/sum_columns.comp",
-                                                  .defines = format});
-    mem_free(format, rows);
+                           &(struct program_desc){.compute = "passes/visibility/sum.comp",
+                                                  .defines = columns});
+    mem_free(format, rows, columns);
     return ok;
 }
 

@@ -1,9 +1,12 @@
 // Which part of a VAL's or VPL's light reaches a point of a surface, by its map. FILTER says how.
+#include "shared/maps.h"
+
+#if FILTER != FILTER_TRACED
 #include "passes/visibility/lookup.glsl"
 #include "passes/visibility/projection_paraboloid.glsl"
 #include "passes/visibility/filter_val.glsl"
 #include "passes/visibility/map_views.glsl"
-
+#endif
 #if FILTER == FILTER_PCSS
 #include "passes/visibility/map_in_front.glsl"
 #endif
@@ -64,11 +67,6 @@ float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
 // Of one VPL, whatever its map.
 float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
     return is_blocked(position, normal, light) ? 0.0 : 1.0;
-}
-
-// Of a VAL's middle.
-float visibility(int map, vec3 position, vec3 normal) {
-    return visibility_from(map, position, normal, map_view_at(map).center);
 }
 #else
 

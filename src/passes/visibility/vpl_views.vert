@@ -2,7 +2,7 @@
 // next VPL may be left out, but no more. A VPL lies on a facet whose normal is not its own: on a round surface
 // it needs twice the near clip of a VAL to be clear of the facets around.
 #include "passes/visibility/map_view_output.glsl"
-#include "lib/tangent.glsl"
+#include "lib/direction.glsl"
 #include "lib/vpl_input.glsl"
 #include "lib/vpl_sums.glsl"
 #include "shared/maps.h"

@@ -10,9 +10,11 @@
 bool distance_pass_init(struct distance_pass *pass, const struct volume *volume) {
     *pass = (struct distance_pass){0};
     char *own = volume_defines(volume);
+    char *counting = mem_printf("%s;COUNT", own);
     bool ok = program_init(
         &pass->neighbour_program,
-        &(struct program_desc){.screen = {"passes/volume/neighbours.frag"}, .defines = own});
+        &(struct program_desc){.screen = {"passes/volume/smooth.frag"}, .defines = counting});
+    free(counting);
     for (int axis = 0; ok && axis < 3; axis++) {
         char *defines = mem_printf("%s;AXIS %d", own, axis);
         ok = program_init(

@@ -6,22 +6,16 @@
 #include "lib/volume.glsl"
 
 #if AXIS == 0
-layout(binding = UNIT_VOLUME_SURFACES) uniform sampler2D surfaces;
-
 int nearer(ivec3 voxel) {
     return texelFetch(surfaces, volume_texel(voxel), 0).a > 0.0 ? 0 : VOLUME_DISTANCE_MAX;
 }
 #else
-#include "lib/volume_distances.glsl"
-
 int nearer(ivec3 voxel) {
     return volume_distance(voxel);
 }
 #endif
 
 #if AXIS == 2
-layout(binding = UNIT_VOLUME_SURFACES) uniform sampler2D surfaces;
-
 vec4 surface_at(ivec3 voxel) {
     bool inside = all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, ivec3(params.cells)));
     return inside ? texelFetch(surfaces, volume_texel(voxel), 0) : vec4(0.0);

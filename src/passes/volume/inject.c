@@ -7,13 +7,12 @@
 #include "passes/targets.h"
 #include "passes/volumes.h"
 
-static bool init_program(GLuint *program, const char *vertex, const struct volume *volume,
-                         bool slides) {
+static bool init_program(GLuint *program, const struct volume *volume, bool slides, bool pixels) {
     bool lit = volume->desc.channels == VOLUME_RADIANCE;
     char *own = volume_defines(volume);
-    char *defines = mem_printf("%s%s;POINT_LIGHT passes/volume/point_%s.glsl",
-                               light_defines(false, lit && slides), own, lit ? "lit" : "unlit");
-    bool ok = program_init(program, &(struct program_desc){.vertex = vertex,
+    char *defines =
+        mem_printf("%s%s%s", light_defines(false, lit && slides), pixels ? "PIXELS;" : "", own);
+    bool ok = program_init(program, &(struct program_desc){.vertex = "passes/volume/inject.vert",
                                                            .fragment = "passes/volume/inject.frag",
                                                            .defines = defines});
     mem_free(own, defines);
@@ -23,9 +22,8 @@ static bool init_program(GLuint *program, const char *vertex, const struct volum
 bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects,
                       bool slides) {
     *pass = (struct inject_pass){0};
-    bool ok = init_program(&pass->program, "passes/volume/inject.vert", volume, slides) &&
-              (!reprojects ||
-               init_program(&pass->pixel_program, "passes/volume/reproject.vert", volume, slides));
+    bool ok = init_program(&pass->program, volume, slides, false) &&
+              (!reprojects || init_program(&pass->pixel_program, volume, slides, true));
     if (!ok)
         inject_pass_free(pass);
     return ok;

@@ -1,7 +1,6 @@
 // Irradiance of a surface by the coefficients of the empty voxels in front of it.
 #include "lib/sh.glsl"
-#include "lib/volume_distances.glsl"
-#include "passes/volume/sides.glsl"
+#include "lib/volume.glsl"
 
 layout(binding = UNIT_VOLUME_COEFFICIENTS) uniform sampler2D coefficients[COEFFICIENTS];
 #if SPLIT

@@ -9,18 +9,16 @@
 
 /* Drawn: more targets than a dispatch stores to. */
 bool march_pass_init(struct march_pass *pass, const struct volume *volume) {
-    const char *end = volume->desc.channels == VOLUME_RADIANCE ? "radiance" : "visibility";
-    char *own = volume_defines(volume);
-    char *defines = mem_printf("%s;RAY_END passes/volume/ray_%s.glsl", own, end);
+    char *defines = volume_defines(volume);
     *pass = (struct march_pass){0};
     bool ok =
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "passes/volume/march.frag",
                                                             .defines = defines});
-    ok = ok && program_init(
-                   &pass->smooth_program,
-                   &(struct program_desc){.screen = {"passes/volume/smooth.frag"}, .defines = own});
-    mem_free(own, defines);
+    ok = ok && program_init(&pass->smooth_program,
+                            &(struct program_desc){.screen = {"passes/volume/smooth.frag"},
+                                                   .defines = defines});
+    mem_free(defines);
     if (!ok)
         march_pass_free(pass);
     return ok;

@@ -2,8 +2,19 @@
 // Papaioannou 2011, eq. 3]. Rays leap over voxels that are known to be empty and so meet what steps of a voxel meet.
 #include "lib/random.glsl"
 #include "lib/sh.glsl"
-#include "lib/volume_distances.glsl"
-#include RAY_END
+#include "lib/volume.glsl"
+#if CHANNELS == VOLUME_RADIANCE
+#include "passes/volume/ray_radiance.glsl"
+#else
+// Rays of ambient occlusion: 1 where nothing is met, or what panes let pass.
+#include "lib/medium.glsl"
+
+#define gathered float[1]
+
+gathered ray_end(ivec3 voxel, bool met, vec3 origin, vec3 direction, float metres) {
+    return float[1](met ? 0.0 : dot(medium_panes(origin, direction, metres), vec3(1.0 / 3.0)));
+}
+#endif
 
 layout(location = 0) out vec4 coefficients[COEFFICIENTS];
 

@@ -1,6 +1,6 @@
 // Rays of indirect light: the radiance that leaves the surfaces of the voxel that is met, to the side where it is met.
 #include "lib/medium.glsl"
-#include "passes/volume/sides.glsl"
+#include "lib/volume.glsl"
 
 #define gathered vec3
 

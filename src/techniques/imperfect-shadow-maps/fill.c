@@ -5,18 +5,16 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 
-#define FOLDER "techniques/imperfect-shadow-maps/"
-
 /* A map's depth can only be drawn. */
 static bool init_programs(struct fill_pass *pass) {
-    const struct screen_desc pull = {FOLDER "pull.frag", .layers = true},
-                             push = {FOLDER "push.frag", .layers = true};
-    return program_init(&pass->pull_program, &(struct program_desc){.screen = pull}) &&
+    const struct screen_desc fill = {"techniques/imperfect-shadow-maps/fill.frag", .layers = true};
+    return program_init(&pass->pull_program,
+                        &(struct program_desc){.screen = fill, .defines = "PULL"}) &&
            program_init(&pass->push_program,
-                        &(struct program_desc){.screen = push, .defines = "TO_MAP 0"}) &&
-           program_init(&pass->map_program, &(struct program_desc){.vertex = "layers.vert",
-                                                                   .fragment = push.body,
-                                                                   .defines = "TO_MAP 1"});
+                        &(struct program_desc){.screen = fill, .defines = "TO_MAP 0"}) &&
+           program_init(&pass->map_program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                   .fragment = fill.body,
+                                                                   .defines = "TO_MAP 1;LAYERS"});
 }
 
 /* Of level l + 1. */

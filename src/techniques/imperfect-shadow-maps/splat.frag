@@ -1,5 +1,5 @@
 // A point's disk in an imperfect shadow map. Texels show it whose middle it covers.
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 #include "passes/visibility/paraboloid.glsl"
 #include "shared/splat.h"
 

@@ -1,9 +1,7 @@
 // The first occupied voxel before the camera at each pixel: its radiosity times irradiance_scale; 0 where there is none.
-#include "lib/camera.glsl"
-#include "lib/volume_distances.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/volume.glsl"
 #include "passes/volume/ray_radiance.glsl"
-
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray gbuffer_depths; // of the picture's size
 
 layout(location = TARGET_RESULT) out vec4 result;
 
@@ -14,7 +12,7 @@ float least(vec3 v) {
 }
 
 void main() {
-    vec2 ndc = gl_FragCoord.xy / vec2(textureSize(gbuffer_depths, 0).xy) * 2.0 - 1.0;
+    vec2 ndc = gl_FragCoord.xy / vec2(gbuffer_size()) * 2.0 - 1.0;
     vec3 eye = volume_place(view_position_at(camera, ndc, 0.0));
     vec3 direction = normalize(volume_place(view_position_at(camera, ndc, 1.0)) - eye);
     direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));

@@ -2,7 +2,7 @@
 // times the BRDF, which eq. 4.2 of [Dong 2011] has for each bin.
 #include "lib/gbuffer_specular.glsl"
 #include "techniques/implicit-visibility/elements.glsl"
-#include "lib/octahedral.glsl"
+#include "lib/direction.glsl"
 
 layout(std430, binding = STORAGE_ELEMENT_LINKS) readonly buffer element_link_storage {
     // STRIDE of each element: the number of its links, then their radiance times the bin's solid angle, and direction.

@@ -1,11 +1,28 @@
-// Summed area tables, first half: each invocation adds up a row of moments, or of Fourier bases.
+// Summed area tables: first each invocation adds up a row of moments, or of Fourier bases; then, with COLUMNS, a column, in place.
 #include "shared/maps.h"
 
+layout(local_size_x = SUM_LINES) in;
+layout(SUM_FORMAT, binding = IMAGE_SUMS) uniform uimage2DArray sums;
+
+#ifdef COLUMNS
+void main() {
+    ivec2 size = imageSize(sums).xy;
+    int column = int(gl_GlobalInvocationID.x), layer = int(gl_GlobalInvocationID.z);
+    if (column >= size.x)
+        return;
+    uvec4 sum = uvec4(0u);
+    imageStore(sums, ivec3(column, 0, layer), sum);
+    for (int y = 1; y < size.y; y++) {
+        sum += imageLoad(sums, ivec3(column, y, layer));
+        imageStore(sums, ivec3(column, y, layer), sum);
+    }
+}
+#else
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 
 #ifdef BASIS_TERMS
 // The Fourier bases of a texel, in fixed point. Tables follow each other by shared/maps.h.
-#include "passes/visibility/series_bases.glsl"
+#include "passes/visibility/series.glsl"
 
 uvec4 summed(ivec3 texel) {
     int map = texel.z % MAP_COUNT, table = texel.z / MAP_COUNT, kind = table / BASIS_GROUPS;
@@ -26,9 +43,6 @@ uvec4 summed(ivec3 texel) {
 }
 #endif
 
-layout(local_size_x = SUM_LINES) in;
-layout(SUM_FORMAT, binding = IMAGE_SUMS) writeonly uniform uimage2DArray sums;
-
 void main() {
     int size = textureSize(depths, 0).x, row = int(gl_GlobalInvocationID.x), layer = int(gl_GlobalInvocationID.z);
     if (row >= size)
@@ -40,3 +54,4 @@ void main() {
     }
     imageStore(sums, ivec3(size, row + 1, layer), sum);
 }
+#endif

@@ -1,9 +1,28 @@
+// Interleaved tiles: which pixel a texel stands for, and where the lists have a pixel.
+#include "shared/gather.h"
+#include "lib/direction.glsl"
+
+// Divides integers from 0 to 2^24 by floats: a software rasteriser divides integers one by one. GLSL grants divisions an error,
+// which may move a quotient by one.
+ivec2 divide(ivec2 a, ivec2 b) {
+    ivec2 quotient = ivec2((vec2(a) + 0.5) / vec2(b)), rest = a - quotient * b;
+    return quotient + ivec2(greaterThanEqual(rest, b)) - ivec2(lessThan(rest, ivec2(0)));
+}
+
+// The pixel of the picture that a texel of a tile stands for; the tile by its place in the pattern.
+ivec2 interleaved_pixel(interleaving pattern, ivec2 texel, ivec2 place) {
+    return (texel - place * pattern.tile) * pattern.n + place;
+}
+
+// The texel of a pixel, in the tile of its place in the pattern.
+ivec2 interleaved_texel(interleaving pattern, ivec2 pixel) {
+    ivec2 texel = divide(pixel, ivec2(pattern.n)), place = pixel - texel * pattern.n;
+    return place * pattern.tile + texel;
+}
+
 // Where the lists have a pixel, in one number, whose lowest bit is 0 where they do not: then it has the block that speaks
 // for the pixel's visibility, by how far it is from that which the pixel lies in, and the normal of the triangle that the
 // pixel sees.
-#include "shared/gather.h"
-#include "lib/octahedral.glsl"
-
 uint list_texel_code(ivec2 texel, int level) {
     return 1u | uint(texel.x << 1 | texel.y << 16) | uint(level) << 31;
 }

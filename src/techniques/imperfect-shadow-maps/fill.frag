@@ -1,8 +1,46 @@
+// A step of pull or, without PULL, of push. Depths are the map's, and 1 where nothing is.
+#include "passes/visibility/map_views.glsl"
+#include "passes/visibility/paraboloid.glsl"
+#include "shared/splat.h"
+
+PASS_BLOCK(fill_params, 16)
+
+layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray fine_depths;
+
+flat in int instance; // the map
+
+float fine_depth(ivec2 texel) {
+    return texelFetch(fine_depths, ivec3(texel, instance), 0).r;
+}
+
+// Depths that far apart may be of one surface, in texels of a level.
+float interval(int level) {
+    return 2.0 * params.radius * float(1 << level) / map_view_at(instance).z_far;
+}
+
+#ifdef PULL
+// A coarse texel is the mean of those of its four finer ones that are of its nearest surface.
+layout(location = TARGET_RESULT) out float depth;
+
+void main() {
+    ivec2 first = ivec2(gl_FragCoord.xy) * 2;
+    float depths[4], nearest = 1.0;
+    for (int i = 0; i < 4; i++) {
+        depths[i] = fine_depth(first + ivec2(i & 1, i >> 1));
+        nearest = min(nearest, depths[i]);
+    }
+    float sum = 0.0, count = 0.0;
+    for (int i = 0; i < 4; i++) {
+        float own = depths[i] < 1.0 && depths[i] <= nearest + interval(params.level) ? 1.0 : 0.0;
+        sum += own * depths[i];
+        count += own;
+    }
+    depth = count > 0.0 ? sum / count : 1.0;
+}
+#else
 // A fine texel that is empty, or shows what lies behind a hole in a nearer surface, takes the mean of the four
 // coarse ones around it, by 9 : 3 : 3 : 1. But only where a point's disk would reach as far as a coarse texel: points
 // that are denser leave no holes, and what looks like one is a gap. And only behind all four: a slope is no hole.
-#include "techniques/imperfect-shadow-maps/fill.glsl"
-
 layout(binding = UNIT_COARSE_DEPTH) uniform sampler2DArray coarse_depths;
 
 #if !TO_MAP
@@ -45,3 +83,4 @@ void main() {
     depth = filled;
 #endif
 }
+#endif
