@@ -52,7 +52,6 @@ static bool ends_group(const char *line) {
 /* A source in the making. */
 struct writer {
     struct glsl_source *source;
-    const char *defines;
     struct text text;
     bool open[GLSL_FILES_MAX]; /* the file is begun and not ended */
 };
@@ -62,25 +61,13 @@ static const char *next_define(const char *define) {
     return define + (*define == ';');
 }
 
-/* Whether the line is #include "FILE", or #include NAME of a define that names the file, which then
- * goes into file. */
-static bool parse_include(const struct writer *writer, const char *line, char *file, size_t size) {
-    static const char directive[] = "#include ";
+/* Whether the line is #include "FILE", not C's <FILE> of a shared header; the file. */
+static bool parse_include(const char *line, char *file, size_t size) {
+    static const char directive[] = "#include \"";
     if (strncmp(line, directive, sizeof directive - 1) != 0)
         return false;
     line += sizeof directive - 1;
-    if (*line == '<') /* C's, in a shared header */
-        return false;
-    size_t length = strcspn(line, "\n");
-    if (*line == '"') {
-        snprintf(file, size, "%.*s", (int)strcspn(line + 1, "\"\n"), line + 1);
-        return true;
-    }
-    snprintf(file, size, "%.*s", (int)length, line);
-    for (const char *define = writer->defines; *define; define = next_define(define))
-        if (strncmp(define, line, length) == 0 && define[length] == ' ')
-            snprintf(file, size, "%.*s", (int)strcspn(define + length + 1, ";"),
-                     define + length + 1);
+    snprintf(file, size, "%.*s", (int)strcspn(line, "\"\n"), line);
     return true;
 }
 
@@ -111,7 +98,7 @@ static bool write_lines(struct writer *writer, int number, const char *text) {
         end = line + strcspn(line, "\n");
         end += *end == '\n';
         char included[128];
-        bool includes = parse_include(writer, line, included, sizeof included);
+        bool includes = parse_include(line, included, sizeof included);
         if (includes && !write_file(writer, included))
             return error_prefix("%s:%d", name, line_number);
         if (!includes)
@@ -144,9 +131,9 @@ static bool write_file(struct writer *writer, const char *name) {
 
 bool glsl_load(struct glsl_source *source, const char *file, const char *defines) {
     *source = (struct glsl_source){0};
-    struct writer writer = {.source = source, .defines = defines ? defines : ""};
+    struct writer writer = {.source = source};
     text_print(&writer.text, "#version 450 core\n");
-    for (const char *define = writer.defines; *define; define = next_define(define))
+    for (const char *define = defines ? defines : ""; *define; define = next_define(define))
         text_print(&writer.text, "#define %.*s\n", (int)strcspn(define, ";"), define);
     bool ok = write_file(&writer, file);
     source->text = writer.text.data;

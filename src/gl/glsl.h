@@ -1,10 +1,9 @@
 /* Loads GLSL sources, embedded in the binary or read from a folder (--glsl DIR).
  *
- * A name such as "lib/view.glsl", "shared/light.h" or "layers.vert" is a path below the folder.
+ * A name such as "lib/view.glsl", "shared/light.h" or "fullscreen.vert" is a path below the folder.
  * Other names are paths below src/, beside the folder. Files have no #version line. Loading adds
- * the version and the defines and expands #include "lib/...". `#include NAME` includes the file in
- * the define NAME, so a pass can choose among files with the same contract. #line directives keep
- * file and line of each source line. glsl_explain replaces a driver's numbers by them. */
+ * the version and the defines and expands #include "lib/...". #line directives keep file and line
+ * of each source line. glsl_explain replaces a driver's numbers by them. */
 #ifndef GL_GLSL_H
 #define GL_GLSL_H
 

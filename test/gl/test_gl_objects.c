@@ -73,19 +73,6 @@ TEST_WITH(includes, use_shader_folder, use_embedded_shaders) {
     glsl_free(&source);
 }
 
-/* A define chooses a file. */
-TEST_WITH(chosen_include, use_shader_folder, use_embedded_shaders) {
-    struct glsl_source source;
-    write_shader("main.frag", "#include PART\nint own;\n");
-    write_shader("lib/b.glsl", "int b;\n");
-    check_ok("load", glsl_load(&source, "main.frag", "PARTS 1;PART lib/b.glsl;LAST 1"));
-    assert_int_equal(source.file_count, 2);
-    assert_string_equal(source.files[1], "lib/b.glsl");
-    glsl_free(&source);
-    assert_false(glsl_load(&source, "main.frag", "PARTS 1"));
-    expect_error("main.frag:1: cannot open ");
-}
-
 /* In a context of its own, as the driver also tells the debug log. */
 static void expect_compile_error(void **state, const char *fragment, const char *part) {
     GLuint program;
@@ -205,7 +192,7 @@ TEST_WITH(link_errors, use_shader_folder, use_embedded_shaders) {
 TEST(programs) {
     GLuint programs[3];
     struct program_desc desc = {.vertex = "fullscreen.vert",
-                                .fragment = "passes/picture/depth_only.frag"};
+                                .fragment = "passes/picture/depth.frag"};
     check_ok("program", program_init(&programs[0], &desc));
     check_ok("program", program_init(&programs[1], &desc));
     desc.defines = "DIFFERENT 1";
