@@ -159,13 +159,10 @@ static bool fit_canvas(struct inspect *inspect, int width, int height) {
         inspect->canvas.desc.height == height)
         return true;
     free_canvas(inspect);
-    return texture_init(&inspect->canvas, &(struct texture_desc){.label = "inspected buffer",
-                                                                 .format = GL_RGBA8,
-                                                                 .width = width,
-                                                                 .height = height}) &&
-           framebuffer_init(&inspect->framebuffer,
-                            &(struct framebuffer_desc){.label = "inspected buffer",
-                                                       .colors = {&inspect->canvas}});
+    return framebuffer_init_target(
+        &inspect->canvas, &inspect->framebuffer,
+        &(struct texture_desc){
+            .label = "inspected buffer", .format = GL_RGBA8, .width = width, .height = height});
 }
 
 static void draw_texture(const struct inspect *inspect, const struct frame *frame,

@@ -79,12 +79,10 @@ static bool fit(struct probe *probe, const struct val_output *vals) {
         return lookup_fit(&probe->lookup, "inspect/probe.frag", vals->visibility);
     probe_free(probe);
     return lookup_fit(&probe->lookup, "inspect/probe.frag", vals->visibility) &&
-           texture_init(
-               &probe->lit,
+           framebuffer_init_target(
+               &probe->lit, &probe->framebuffer,
                &(struct texture_desc){.label = "probe", .format = GL_R32F, .width = count}) &&
-           buffer_init(&probe->params, "probe parameters", sizeof(struct probe_params), NULL) &&
-           framebuffer_init(&probe->framebuffer,
-                            &(struct framebuffer_desc){.label = "probe", .colors = {&probe->lit}});
+           buffer_init(&probe->params, "probe parameters", sizeof(struct probe_params), NULL);
 }
 
 static void read_visibility(const struct probe *probe, const struct pick *pick,

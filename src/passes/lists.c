@@ -9,12 +9,14 @@ void pixel_lists_size(int size[2], int interleave) {
     size[shorter] *= 2;
 }
 
-void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers) {
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers,
+                     const struct texture *edge_samples) {
     if (receivers == RECEIVERS_OTHERS)
         pass_add_texture(state, UNIT_LIST_TEXELS, lists->texels.id);
     if (receivers != RECEIVERS_ADAPTIVE)
         return;
     pass_add_texture(state, UNIT_ADAPTIVE_PIXELS, lists->pixels.id);
+    pass_add_texture(state, UNIT_EDGE_SAMPLES, edge_samples->id);
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }
 

@@ -26,7 +26,8 @@ void pixel_lists_size(int size[2], int interleave);
 /* pixel_lists_add binds the textures of passes/gather/receiver.glsl for `receivers`, RECEIVERS_....
  * RECEIVERS_ALL needs none. pixel_lists_draw draws the list of one place and kind, after
  * LOCATION_SLOT is set. */
-void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers,
+                     const struct texture *edge_samples);
 void pixel_lists_draw(const struct pixel_lists *lists, int list);
 
 #endif

@@ -71,16 +71,13 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
         .tile_width = (width + interleave - 1) / interleave,
         .tile_height = (height + interleave - 1) / interleave,
     };
-    if (texture_init(&irradiance->texture,
-                     &(struct texture_desc){
-                         .label = label,
-                         .format = format,
-                         .width = irradiance->tile_width * interleave,
-                         .height = irradiance->tile_height * interleave,
-                     }) &&
-        framebuffer_init(
-            &irradiance->framebuffer,
-            &(struct framebuffer_desc){.label = label, .colors = {&irradiance->texture}}))
+    if (framebuffer_init_target(&irradiance->texture, &irradiance->framebuffer,
+                                &(struct texture_desc){
+                                    .label = label,
+                                    .format = format,
+                                    .width = irradiance->tile_width * interleave,
+                                    .height = irradiance->tile_height * interleave,
+                                }))
         return true;
     irradiance_free(irradiance);
     return false;

@@ -13,13 +13,9 @@ static void add_attribute(const struct vpl_buffer *vpls, GLuint location, size_t
 }
 
 static bool init_sums(struct vpl_buffer *vpls) {
-    return texture_init(&vpls->sums, &(struct texture_desc){.label = "sums of VPLs",
-                                                            .format = GL_RGBA32F,
-                                                            .width = 1,
-                                                            .height = 1}) &&
-           framebuffer_init(
-               &vpls->sums_framebuffer,
-               &(struct framebuffer_desc){.label = "sums of VPLs", .colors = {&vpls->sums}});
+    return framebuffer_init_target(
+        &vpls->sums, &vpls->sums_framebuffer,
+        &(struct texture_desc){.label = "sums of VPLs", .format = GL_RGBA32F, .width = 1});
 }
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {

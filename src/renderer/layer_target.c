@@ -7,12 +7,10 @@
 
 bool layer_target_init(struct layer_target *target, int width, int height) {
     *target = (struct layer_target){0};
-    if (texture_init(&target->texture, &(struct texture_desc){.label = "layer",
-                                                              .format = GL_RGBA32F,
-                                                              .width = width,
-                                                              .height = height}) &&
-        framebuffer_init(&target->framebuffer, &(struct framebuffer_desc){
-                                                   .label = "layer", .colors = {&target->texture}}))
+    if (framebuffer_init_target(
+            &target->texture, &target->framebuffer,
+            &(struct texture_desc){
+                .label = "layer", .format = GL_RGBA32F, .width = width, .height = height}))
         return true;
     layer_target_free(target);
     return false;

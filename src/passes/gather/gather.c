@@ -201,9 +201,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                      pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->buffer.texels);
     if (pass->desc.together > 0)
         pass_add_texture(&state, UNIT_VPL_SUMS, inputs->vpls->sums.id);
-    pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
-    if (pass->desc.receivers == RECEIVERS_ADAPTIVE)
-        pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
+    pixel_lists_add(&state, inputs->lists, pass->desc.receivers, frame->edge_samples);
     if (pass->desc.cuts)
         add_cuts(&state, inputs->cuts);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);

@@ -67,15 +67,13 @@ static bool init_programs(struct near_field_pass *pass) {
 static bool init_lights(struct near_field_pass *pass, int kind) {
     int size = light_map_size(kind, pass->desc.rsm_size), layers = pass->desc.lights.views[kind];
     return layers == 0 ||
-           (texture_init(&pass->lights[kind], &(struct texture_desc){.label = "near lights",
-                                                                     .target = GL_TEXTURE_2D_ARRAY,
-                                                                     .format = GL_RGBA32UI,
-                                                                     .width = size,
-                                                                     .height = size,
-                                                                     .layers = layers}) &&
-            framebuffer_init(&pass->lights_framebuffers[kind],
-                             &(struct framebuffer_desc){.label = "near lights",
-                                                        .colors = {&pass->lights[kind]}}));
+           framebuffer_init_target(&pass->lights[kind], &pass->lights_framebuffers[kind],
+                                   &(struct texture_desc){.label = "near lights",
+                                                          .target = GL_TEXTURE_2D_ARRAY,
+                                                          .format = GL_RGBA32UI,
+                                                          .width = size,
+                                                          .height = size,
+                                                          .layers = layers});
 }
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
@@ -248,9 +246,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     pixel_lists_add(&state, inputs->lists,
                     inputs->of_lists      ? RECEIVERS_ADAPTIVE
                     : pass->desc.adaptive ? RECEIVERS_OTHERS
-                                          : RECEIVERS_ALL);
-    if (inputs->of_lists)
-        pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
+                                          : RECEIVERS_ALL,
+                    frame->edge_samples);
     if (pass->tree)
         pass_add_texture(&state, UNIT_BVH, pass->tree->buffer.texels);
     write_params(pass, frame, irradiance_pattern(irradiance));

@@ -99,9 +99,8 @@ void near_sampled_pass_render(const struct near_sampled_pass *pass, const struct
     pixel_lists_add(&state, inputs->lists,
                     inputs->of_lists      ? RECEIVERS_ADAPTIVE
                     : pass->desc.adaptive ? RECEIVERS_OTHERS
-                                          : RECEIVERS_ALL);
-    if (inputs->of_lists)
-        pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
+                                          : RECEIVERS_ALL,
+                    frame->edge_samples);
     buffer_write(&pass->params, 0, sizeof params, &params);
     pass_begin(frame->timers, &state);
     draw_tiles(pass, inputs);

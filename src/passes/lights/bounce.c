@@ -43,41 +43,35 @@ static bool init_programs(struct bounce_pass *pass) {
                         &(struct program_desc){.vertex = "passes/lights/bounce_vpl.vert"});
 }
 
-static bool init_rows(struct texture *texture, int count, int rows, GLenum format) {
-    return texture_init(
-        texture, &(struct texture_desc){
-                     .label = "paths of light", .format = format, .width = count, .height = rows});
+static struct texture_desc rows_desc(int count, int rows, GLenum format) {
+    return (struct texture_desc){
+        .label = "paths of light", .format = format, .width = count, .height = rows};
 }
 
-static bool init_textures(struct bounce_pass *pass) {
-    int count = pass->desc.count;
-    return init_rows(&pass->positions, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->normals, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->fluxes, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->nexts, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->areas, count, BOUNCE_ROWS, GL_R32F) &&
-           init_rows(&pass->shares, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->shared, count, BOUNCE_ROWS, GL_RGBA32F) &&
-           init_rows(&pass->seen, count, 1, GL_RGBA32F) && init_rows(&pass->kept, 1, 1, GL_RGBA32F);
-}
-
-static bool init_targets(struct bounce_pass *pass) {
-    struct framebuffer_desc paths = {.label = "paths of light"};
+static bool init_paths(struct bounce_pass *pass) {
+    const struct texture_desc desc = rows_desc(pass->desc.count, BOUNCE_ROWS, GL_RGBA32F);
+    struct framebuffer_desc paths = {.label = desc.label};
     paths.colors[TARGET_BOUNCE_POSITION] = &pass->positions;
     paths.colors[TARGET_BOUNCE_NORMAL] = &pass->normals;
     paths.colors[TARGET_BOUNCE_FLUX] = &pass->fluxes;
     paths.colors[TARGET_BOUNCE_NEXT] = &pass->nexts;
-    const struct framebuffer_desc areas = {.label = "areas of paths", .colors = {&pass->areas}},
-                                  shares = {.label = "shares of paths", .colors = {&pass->shares}},
-                                  shared = {.label = "shared light", .colors = {&pass->shared}},
-                                  seen = {.label = "seen light of paths", .colors = {&pass->seen}},
-                                  kept = {.label = "what patches keep", .colors = {&pass->kept}};
-    return init_textures(pass) && framebuffer_init(&pass->path_framebuffer, &paths) &&
-           framebuffer_init(&pass->area_framebuffer, &areas) &&
-           framebuffer_init(&pass->share_framebuffer, &shares) &&
-           framebuffer_init(&pass->shared_framebuffer, &shared) &&
-           framebuffer_init(&pass->seen_framebuffer, &seen) &&
-           framebuffer_init(&pass->kept_framebuffer, &kept);
+    return texture_init(&pass->positions, &desc) && texture_init(&pass->normals, &desc) &&
+           texture_init(&pass->fluxes, &desc) && texture_init(&pass->nexts, &desc) &&
+           framebuffer_init(&pass->path_framebuffer, &paths);
+}
+
+static bool init_targets(struct bounce_pass *pass) {
+    int count = pass->desc.count;
+    const struct texture_desc areas = rows_desc(count, BOUNCE_ROWS, GL_R32F),
+                              fluxes = rows_desc(count, BOUNCE_ROWS, GL_RGBA32F),
+                              seen = rows_desc(count, 1, GL_RGBA32F),
+                              kept = rows_desc(1, 1, GL_RGBA32F);
+    return init_paths(pass) &&
+           framebuffer_init_target(&pass->areas, &pass->area_framebuffer, &areas) &&
+           framebuffer_init_target(&pass->shares, &pass->share_framebuffer, &fluxes) &&
+           framebuffer_init_target(&pass->shared, &pass->shared_framebuffer, &fluxes) &&
+           framebuffer_init_target(&pass->seen, &pass->seen_framebuffer, &seen) &&
+           framebuffer_init_target(&pass->kept, &pass->kept_framebuffer, &kept);
 }
 
 /* --- numbers of paths ------------------------------------------------------------------------- */

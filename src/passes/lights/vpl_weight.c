@@ -13,11 +13,9 @@ static bool init_programs(struct vpl_weight_pass *pass) {
 }
 
 static bool init_row(struct texture *texture, GLuint *framebuffer, GLenum format, int width) {
-    static const char label[] = "weights of VPLs";
-    return texture_init(texture,
-                        &(struct texture_desc){.label = label, .format = format, .width = width}) &&
-           framebuffer_init(framebuffer,
-                            &(struct framebuffer_desc){.label = label, .colors = {texture}});
+    return framebuffer_init_target(
+        texture, framebuffer,
+        &(struct texture_desc){.label = "weights of VPLs", .format = format, .width = width});
 }
 
 bool vpl_weight_pass_init(struct vpl_weight_pass *pass, int vpl_count) {

@@ -21,20 +21,15 @@ static bool init_program(struct block_visibility_pass *pass) {
 
 static bool init_target(struct block_visibility_pass *pass) {
     const struct block_visibility_desc *desc = &pass->desc;
-    struct texture *texture = &pass->blocks.texture;
-    return texture_init(texture,
-                        &(struct texture_desc){
-                            .label = "block visibility",
-                            .target = GL_TEXTURE_2D_ARRAY,
-                            .format = GL_R8,
-                            .width = (desc->width + desc->block - 1) / desc->block,
-                            .height = (desc->height + desc->block - 1) / desc->block,
-                            .layers = desc->visibility.map_count,
-                        }) &&
-           framebuffer_init(&pass->blocks.framebuffer, &(struct framebuffer_desc){
-                                                           .label = "block visibility",
-                                                           .colors = {texture},
-                                                       });
+    return framebuffer_init_target(&pass->blocks.texture, &pass->blocks.framebuffer,
+                                   &(struct texture_desc){
+                                       .label = "block visibility",
+                                       .target = GL_TEXTURE_2D_ARRAY,
+                                       .format = GL_R8,
+                                       .width = (desc->width + desc->block - 1) / desc->block,
+                                       .height = (desc->height + desc->block - 1) / desc->block,
+                                       .layers = desc->visibility.map_count,
+                                   });
 }
 
 bool block_visibility_pass_init(struct block_visibility_pass *pass,

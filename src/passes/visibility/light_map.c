@@ -20,15 +20,13 @@ static bool init_program(struct light_map_pass *pass) {
 bool light_map_pass_init(struct light_map_pass *pass, int size, const struct light_layout *lights) {
     *pass = (struct light_map_pass){.maps = {.size = size, .count = lights->maps}};
     if (init_program(pass) &&
-        texture_init(&pass->maps.depth, &(struct texture_desc){.label = "light maps",
-                                                               .target = GL_TEXTURE_2D_ARRAY,
-                                                               .format = GL_R32F,
-                                                               .width = size,
-                                                               .height = size,
-                                                               .layers = lights->maps}) &&
-        framebuffer_init(
-            &pass->framebuffer,
-            &(struct framebuffer_desc){.label = "light maps", .colors = {&pass->maps.depth}}))
+        framebuffer_init_target(&pass->maps.depth, &pass->framebuffer,
+                                &(struct texture_desc){.label = "light maps",
+                                                       .target = GL_TEXTURE_2D_ARRAY,
+                                                       .format = GL_R32F,
+                                                       .width = size,
+                                                       .height = size,
+                                                       .layers = lights->maps}))
         return true;
     light_map_pass_free(pass);
     return false;

@@ -25,14 +25,13 @@ static int level_size(const struct fill_pass *pass, int l) {
 
 static bool init_level(const struct fill_pass *pass, int l, const char *label,
                        struct texture *texture, GLuint *framebuffer) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .target = GL_TEXTURE_2D_ARRAY,
-                                                        .format = GL_R16,
-                                                        .width = level_size(pass, l),
-                                                        .height = level_size(pass, l),
-                                                        .layers = pass->maps.count}) &&
-           framebuffer_init(framebuffer,
-                            &(struct framebuffer_desc){.label = label, .colors = {texture}});
+    return framebuffer_init_target(texture, framebuffer,
+                                   &(struct texture_desc){.label = label,
+                                                          .target = GL_TEXTURE_2D_ARRAY,
+                                                          .format = GL_R16,
+                                                          .width = level_size(pass, l),
+                                                          .height = level_size(pass, l),
+                                                          .layers = pass->maps.count});
 }
 
 static bool init_levels(struct fill_pass *pass) {

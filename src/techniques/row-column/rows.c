@@ -29,12 +29,11 @@ static bool init_programs(struct rows_pass *pass) {
 }
 
 static bool init_matrix(struct rows_pass *pass) {
-    return texture_init(&pass->matrix, &(struct texture_desc){.label = "rows",
-                                                              .format = GL_RGBA32F,
-                                                              .width = pass->desc.lights,
-                                                              .height = pass->desc.rows}) &&
-           framebuffer_init(&pass->framebuffer,
-                            &(struct framebuffer_desc){.label = "rows", .colors = {&pass->matrix}});
+    return framebuffer_init_target(&pass->matrix, &pass->framebuffer,
+                                   &(struct texture_desc){.label = "rows",
+                                                          .format = GL_RGBA32F,
+                                                          .width = pass->desc.lights,
+                                                          .height = pass->desc.rows});
 }
 
 bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc) {

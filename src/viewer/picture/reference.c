@@ -24,13 +24,11 @@ static bool init_gpu(struct reference *reference) {
                                                                      .format = GL_RGBA32F,
                                                                      .width = width,
                                                                      .height = height}) &&
-           texture_init(&reference->display, &(struct texture_desc){.label = "reference display",
-                                                                    .format = GL_RGBA8,
-                                                                    .width = width,
-                                                                    .height = height}) &&
-           framebuffer_init(&reference->framebuffer,
-                            &(struct framebuffer_desc){.label = "reference display",
-                                                       .colors = {&reference->display}}) &&
+           framebuffer_init_target(&reference->display, &reference->framebuffer,
+                                   &(struct texture_desc){.label = "reference display",
+                                                          .format = GL_RGBA8,
+                                                          .width = width,
+                                                          .height = height}) &&
            buffer_init(&reference->params, "reference parameters", sizeof(struct composite_params),
                        NULL);
 }
