@@ -13,6 +13,8 @@ from ._errors import ArgumentError, text_of
 #: Layers of surfaces, of frames and of references, that are made where `layers` names them.
 SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous",
                   "crypto.node", "crypto.mesh", "crypto.material")
+MATTES = SURFACE_LAYERS[-3:]
+RANKS = 3  # layers of a matte in a file, of two ids each
 
 Layers = Dict[str, np.ndarray]
 Picture = Union[Mapping[str, np.ndarray], np.ndarray]
@@ -24,6 +26,8 @@ def layer_of(channel: str) -> str:
         return "beauty"
     if channel.startswith("id."):
         return channel
+    if channel.startswith("crypto_"):  # crypto_node00.r
+        return f"crypto.{channel[7:-4]}"
     return channel.rpartition(".")[0] or channel
 
 
@@ -49,7 +53,7 @@ def read_layer(image: Any, layer: str) -> np.ndarray:
 
 def read_mattes(image: Any, layer: str) -> np.ndarray:
     """Copies the ranks of a Cryptomatte layer: (height, width, 6, 2), id and coverage."""
-    ranks = [read_layer(image, f"{layer}0{i}") for i in range(3)]
+    ranks = [read_layer(image, f"{layer.replace('.', '_')}0{i}") for i in range(RANKS)]
     return np.concatenate(ranks, 2).reshape(*ranks[0].shape[:2], 6, 2)
 
 
@@ -68,12 +72,14 @@ def to_layers(image: Any, layers: "str | Iterable[str] | None" = None) -> Layers
     """Some layers of an image, or all."""
     wanted = listed(layers)
     wanted = layer_names(image) if wanted is None else wanted
-    return {layer: read_mattes(image, layer) if layer in SURFACE_LAYERS[-3:] else read_layer(image, layer)
+    return {layer: read_mattes(image, layer) if layer in MATTES else read_layer(image, layer)
             for layer in wanted}
 
 
 def channels_of(layer: str, count: int) -> List[str]:
     """Names of channels, as the program writes them."""
+    if layer in MATTES and count == 4 * RANKS:
+        return [f"{layer.replace('.', '_')}0{i}.{letter}" for i in range(RANKS) for letter in "rgba"]
     letters = {1: "", 2: "UV" if layer == "uv" else "XY", 3: "XYZ" if layer in ("normal", "position") else "RGB", 4: "RGBA"}.get(count)
     if letters is None:
         raise ArgumentError(f"layer {layer}: {count} channels (1 to 4)")
@@ -95,6 +101,7 @@ def to_image(layers: Picture) -> Any:
             raise ArgumentError(f"layer {layer}: numbers are not from 0 to {(1 << 24) - 1}")
         array = array.astype(np.float32)
         array = array[..., None] if array.ndim == 2 else array
+        array = array.reshape(*array.shape[:2], -1) if layer in MATTES else array
         if array.ndim != 3 or array.shape[:2] != (arrays or [array])[0].shape[:2]:
             raise ArgumentError(f"layer {layer}: shape {array.shape}, not (height, width[, channels]) as of others")
         names += channels_of(layer, array.shape[2])

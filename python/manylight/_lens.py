@@ -11,6 +11,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 import numpy as np
 
 from ._errors import ArgumentError
+from ._image import MATTES
 from ._parts import Camera
 
 MARGIN = 24  # pixels
@@ -101,7 +102,7 @@ def resampled(camera: Camera, size: Tuple[int, int], wanted: Optional[List[str]]
               draw: Callable[[Camera, Tuple[int, int], List[str]], Dict[str, np.ndarray]]) -> Dict[str, np.ndarray]:
     """The layers of a camera's picture. `draw` draws those of a pinhole's."""
     for name in wanted or ():
-        if name.startswith(("motion.", "crypto.")):
+        if name.startswith("motion.") or name in MATTES:
             raise ArgumentError(f"{name}: frames have it for plain pinholes; reference has it for all cameras")
     needed = ["Z", "id.node", "id.material", "position"]
     base = ["beauty", "Z", "direct", "indirect", "albedo", "normal"]

@@ -212,7 +212,7 @@ static bool refuse(const struct renderer *renderer, const struct output_list *ou
 
 /* why: the option that leaves one sample per pixel; NULL: none. */
 static bool check_matte(const char *name, const char *why) {
-    return !why || strncmp(name, "crypto.", 7) != 0 ||
+    return !why || !surface_layer_is_matte(name) ||
            error_set("aov: %s is of several samples of a pixel, and %s has one", name, why);
 }
 
@@ -277,17 +277,18 @@ static uint32_t *look(void *user, int i) {
     return triangles_read(fill->frame, &desc->camera, desc->width, desc->height, place);
 }
 
-static bool append_surface(struct fill *fill, int layer, const struct surface_motion *motion,
-                           uint32_t **triangles) {
+static bool append_surfaces(struct fill *fill, const char *names,
+                            const struct surface_motion *motion) {
     const struct renderer_desc *desc = &fill->renderer->desc;
-    if (!*triangles)
-        *triangles =
-            triangles_read(fill->frame, &desc->camera, desc->width, desc->height, (float[2]){0});
-    return *triangles &&
-           surface_layer_append(
-               &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles,
-                                      motion, fill->renderer->antialias.samples, look, fill},
-               layer, fill->image);
+    uint32_t *triangles =
+        triangles_read(fill->frame, &desc->camera, desc->width, desc->height, (float[2]){0});
+    const struct surface_view view = {desc->scene,   desc->geometry,
+                                      &desc->camera, triangles,
+                                      motion,        fill->renderer->antialias.samples,
+                                      look,          fill};
+    bool ok = triangles && surface_layers_append(&view, names, fill->image);
+    free(triangles);
+    return ok;
 }
 
 bool aov_append(struct renderer *renderer, const char *names, const struct surface_motion *motion,
@@ -296,6 +297,7 @@ bool aov_append(struct renderer *renderer, const char *names, const struct surfa
     struct frame frame = renderer_frame(renderer);
     struct output_list outputs;
     struct layer_target target;
+    const char *all = names;
     char name[64];
     if (!names)
         return true;
@@ -304,12 +306,10 @@ bool aov_append(struct renderer *renderer, const char *names, const struct surfa
     renderer_outputs(renderer, &outputs);
     frame.timers = &untimed;
     struct fill fill = {renderer, &frame, &target, image, 0};
-    uint32_t *triangles = NULL;
-    bool ok = true, added[OUTPUTS_MAX] = {false};
+    bool ok = true, surfaces = false, added[OUTPUTS_MAX] = {false};
     while (ok && next_name(&names, name, sizeof name)) {
-        int surface = surface_layer_find(name);
-        if (surface >= 0) {
-            ok = append_surface(&fill, surface, motion, &triangles);
+        if (surface_layer_find(name) >= 0) {
+            surfaces = true;
             continue;
         }
         const struct output *output = output_find(&outputs, name);
@@ -317,7 +317,7 @@ bool aov_append(struct renderer *renderer, const char *names, const struct surfa
         ok = *done || append(&fill, output);
         *done = true;
     }
+    ok = ok && (!surfaces || append_surfaces(&fill, all, motion));
     layer_target_free(&target);
-    free(triangles);
     return ok;
 }

@@ -9,6 +9,7 @@
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -152,10 +153,10 @@ static bool refuse_layer(const struct image *image, const char *layer) {
     return door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
-/* R before G, X before Y, A last; other letters before them. */
+/* R or r before G, X before Y, A last; other letters before them. */
 static long rank_of(const char *name) {
     static const char order[] = "XYZRGBA";
-    const char *found = strchr(order, name[strlen(name) - 1]);
+    const char *found = strchr(order, toupper((unsigned char)name[strlen(name) - 1]));
     return found ? found - order : -1;
 }
 

@@ -458,10 +458,8 @@ static void append_surfaces(struct tracer *tracer) {
     uint32_t *centers = primary_triangles(&tracer->primary, (float[]){.5F, .5F}, desc->threads);
     const struct surface_view view = {desc->scene,  desc->geometry,        desc->camera, centers,
                                       desc->motion, matte_samples(tracer), look,         tracer};
-    char *names = mem_strdup(desc->surface_layers), *next = NULL;
-    for (char *name = strtok_r(names, ",", &next); name; name = strtok_r(NULL, ",", &next))
-        surface_layer_append(&view, surface_layer_find(name), tracer->image);
-    mem_free(names, centers);
+    surface_layers_append(&view, desc->surface_layers, tracer->image);
+    free(centers);
 }
 
 /* To who watches. */

@@ -8,20 +8,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RANKS = 6 };
+enum { RANKS = 6, LAYERS = 3 };
 
-/* Attribute names of a layer; the key is the start of its name's hash. */
+/* Name, first channel, part and attribute names of a layer; the key is the start of its name's
+ * hash. */
 #define LAYER(part, key)                                                                           \
     {                                                                                              \
-        "crypto." part, part, {                                                                    \
+        "crypto_" part, "crypto_" part "00.r", part, {                                             \
             "cryptomatte/" key "/name", "cryptomatte/" key "/hash",                                \
                 "cryptomatte/" key "/conversion", "cryptomatte/" key "/manifest"                   \
         }                                                                                          \
     }
 
 static const struct {
-    const char *name, *part, *keys[4];
-} layers[] = {LAYER("node", "c28e8ce"), LAYER("mesh", "ea63ba7"), LAYER("material", "29c6b91")};
+    const char *name, *first, *part, *keys[4];
+} layers[LAYERS] = {LAYER("node", "aaf0e57"), LAYER("mesh", "c402fe7"),
+                    LAYER("material", "bda530a")};
+
+/* A layer of the image. */
+struct matte {
+    uint32_t *ids; /* of triangles */
+    float *ranks;  /* of the first pixel */
+};
 
 static uint32_t rotate(uint32_t x, int bits) {
     return x << bits | x >> (32 - bits);
@@ -51,12 +59,12 @@ uint32_t cryptomatte_id(const char *name) {
     return exponent == 0 || exponent == 255 ? hash ^ 1U << 23 : hash;
 }
 
-/* Returns the ids of all parts by number, and tells them in the header. Parts without a name get
- * one by their number. */
+/* Returns the id of each triangle, and tells the ids of all parts in the header. Parts without a
+ * name get one by their number. */
 static uint32_t *list_ids(const struct surface_view *view, int layer, struct image *image) {
     char *manifest = NULL, id[16], unnamed[32];
     size_t size = 0;
-    uint32_t *ids = NULL, count = 0;
+    uint32_t *ids = NULL, *numbers = surface_layer_numbers(view, layer), count = 0;
     struct json json = {.out = open_memstream(&manifest, &size)};
     json_open(&json, NULL, "{");
     for (const char *name; (name = surface_layer_id_name(view->scene, layer, (int)count));) {
@@ -72,8 +80,10 @@ static uint32_t *list_ids(const struct surface_view *view, int layer, struct ima
     const char *texts[] = {layers[layer].name, "MurmurHash3_32", "uint32_to_float32", manifest};
     for (int i = 0; i < (ok ? 4 : 3); i++)
         image_add_text(image, layers[layer].keys[i], texts[i]);
-    free(manifest);
-    return ids;
+    for (uint32_t t = 0; t < view->geometry->index_count / 3; t++)
+        numbers[t] = ids[numbers[t]];
+    mem_free(manifest, ids);
+    return numbers;
 }
 
 /* ranks: pairs of id and sample count. */
@@ -94,26 +104,33 @@ static int compare_ranks(const void *a, const void *b) {
     return x[1] != y[1] ? (x[1] < y[1] ? 1 : -1) : memcmp(x, y, sizeof *x);
 }
 
-bool cryptomatte_fill(const struct surface_view *view, int layer, uint32_t *numbers,
-                      struct image *image) {
+bool cryptomatte_fill(const struct surface_view *view, struct image *image) {
     size_t pixels = (size_t)image->width * (size_t)image->height;
     size_t step = (size_t)image->channel_count;
-    float *first = image->pixels + step - 2 * RANKS;
-    uint32_t *ids = list_ids(view, layer, image);
+    struct matte mattes[LAYERS];
+    int count = 0;
     bool ok = true;
-    for (int s = 0; ok && s < view->samples; s++) {
+    for (int layer = 0; layer < LAYERS; layer++) {
+        int channel = image_find_channel(image, layers[layer].first);
+        if (channel >= 0)
+            mattes[count++] = (struct matte){list_ids(view, layer, image), image->pixels + channel};
+    }
+    for (int s = 0; ok && count > 0 && s < view->samples; s++) {
         uint32_t *triangles = view->look(view->user, s);
         ok = triangles;
         for (size_t i = 0; ok && i < pixels; i++)
-            if (triangles[i])
-                add_sample(first + i * step, ids[numbers[triangles[i] - 1]]);
+            for (int m = 0; triangles[i] && m < count; m++)
+                add_sample(mattes[m].ranks + i * step, mattes[m].ids[triangles[i] - 1]);
         free(triangles);
     }
-    for (size_t i = 0; i < pixels; i++) {
-        qsort(first + i * step, RANKS, 2 * sizeof *first, compare_ranks);
-        for (size_t r = 0; r < RANKS; r++)
-            first[i * step + 2 * r + 1] /= (float)view->samples;
+    for (int m = 0; m < count; m++) {
+        for (float *ranks = mattes[m].ranks, *end = ranks + pixels * step; ranks < end;
+             ranks += step) {
+            qsort(ranks, RANKS, 2 * sizeof *ranks, compare_ranks);
+            for (size_t r = 0; r < RANKS; r++)
+                ranks[2 * r + 1] /= (float)view->samples;
+        }
+        free(mattes[m].ids);
     }
-    mem_free(ids, numbers);
     return ok;
 }

@@ -9,9 +9,8 @@
 /* Returns the bits of a name's id: its MurmurHash3_32, made a normal float. */
 uint32_t cryptomatte_id(const char *name);
 
-/* Fills the image's last 12 channels and adds the header. layer: as in surface_layer_id_name.
- * numbers: number of each triangle's part, from 1 on; freed. Error: that of view->look. */
-bool cryptomatte_fill(const struct surface_view *view, int layer, uint32_t *numbers,
-                      struct image *image);
+/* Fills the channels of mattes that the image has, and adds their header. Error: that of
+ * view->look. */
+bool cryptomatte_fill(const struct surface_view *view, struct image *image);
 
 #endif

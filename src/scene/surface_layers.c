@@ -16,8 +16,9 @@ const char *const surface_layer_names[] = {
     "id.node",     "id.mesh",         "id.material", "position",    "depth",           "uv",
     "motion.next", "motion.previous", "crypto.node", "crypto.mesh", "crypto.material", NULL};
 
-/* Ids and coverage of two ranks in each four. */
-#define RANKS(name) name ".R " name ".G " name ".B " name ".A"
+/* Ids and coverage of two ranks in each four. Blender 3 finds no name with a dot beside R, G and B.
+ * Capitals would be halves in files. */
+#define RANKS(name) name ".r " name ".g " name ".b " name ".a"
 #define MATTE(name) RANKS(name "00") " " RANKS(name "01") " " RANKS(name "02")
 
 static const char *const channels[LAYERS] = {"id.node",
@@ -28,9 +29,9 @@ static const char *const channels[LAYERS] = {"id.node",
                                              "uv.U uv.V",
                                              "motion.next.X motion.next.Y",
                                              "motion.previous.X motion.previous.Y",
-                                             MATTE("crypto.node"),
-                                             MATTE("crypto.mesh"),
-                                             MATTE("crypto.material")};
+                                             MATTE("crypto_node"),
+                                             MATTE("crypto_mesh"),
+                                             MATTE("crypto_material")};
 
 static const char *const attributes[] = {"manylight:id.node", "manylight:id.mesh",
                                          "manylight:id.material"};
@@ -42,8 +43,7 @@ int surface_layer_find(const char *name) {
     return -1;
 }
 
-/* Returns the id of each triangle. */
-static uint32_t *ids_of(const struct surface_view *view, int layer) {
+uint32_t *surface_layer_numbers(const struct surface_view *view, int layer) {
     const struct geometry *geometry = view->geometry;
     uint32_t *ids = mem_alloc(geometry->index_count / 3, sizeof *ids);
     for (int i = 0; layer == MATERIAL && i < geometry->batch_count; i++) {
@@ -92,7 +92,7 @@ static void add_names(const struct surface_view *view, int layer, const bool *se
 }
 
 static void fill_ids(const struct surface_view *view, int layer, int channel, struct image *image) {
-    uint32_t *ids = ids_of(view, layer);
+    uint32_t *ids = surface_layer_numbers(view, layer);
     bool *seen = mem_alloc((size_t)count_of(view->scene, layer) + 1, sizeof *seen);
     size_t pixels = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < pixels; i++) {
@@ -201,22 +201,31 @@ static void fill_point(const struct surface_view *view, int layer, int x, int y,
     }
 }
 
-bool surface_layer_append(const struct surface_view *view, int layer, struct image *image) {
+bool surface_layer_is_matte(const char *name) {
+    return surface_layer_find(name) >= MATTES;
+}
+
+static void append(const struct surface_view *view, int layer, struct image *image) {
     char first[32];
     int channel = image->channel_count;
     snprintf(first, sizeof first, "%.*s", (int)strcspn(channels[layer], " "), channels[layer]);
     if (image_find_channel(image, first) >= 0)
-        return true;
+        return;
     image_add_channels(image, channels[layer]);
-    if (layer >= MATTES)
-        return cryptomatte_fill(view, layer - MATTES, ids_of(view, layer - MATTES), image);
-    if (layer <= MATERIAL) {
+    if (layer <= MATERIAL)
         fill_ids(view, layer, channel, image);
-        return true;
-    }
-    for (int y = 0; y < image->height; y++)
+    for (int y = 0; MATERIAL < layer && layer < MATTES && y < image->height; y++)
         for (int x = 0; x < image->width; x++)
             fill_point(view, layer, x, y, (int[]){image->width, image->height},
                        image_at(image, x, y) + channel);
-    return true;
+}
+
+bool surface_layers_append(const struct surface_view *view, const char *names,
+                           struct image *image) {
+    char *list = mem_strdup(names), *next = NULL;
+    for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next))
+        if (surface_layer_find(name) >= 0)
+            append(view, surface_layer_find(name), image);
+    mem_free(list);
+    return cryptomatte_fill(view, image);
 }

@@ -43,12 +43,19 @@ struct surface_view {
 int surface_layer_find(const char *name);
 extern const char *const surface_layer_names[];
 
+/* Returns true for a layer of several samples of a pixel. */
+bool surface_layer_is_matte(const char *name);
+
 /* Returns the name of part i of the scene: of its nodes (0), meshes (1) or materials (2); NULL:
  * there is none. */
 const char *surface_layer_id_name(const struct scene *scene, int layer, int i);
 
-/* Appends a layer, unless the image has it. Error: that of view->look. Ids add an attribute with
- * the names of those that are seen, as JSON: manylight:id.node = {"1":"floor"}. */
-bool surface_layer_append(const struct surface_view *view, int layer, struct image *image);
+/* Returns the number of the part that each triangle is of, from 1 on; the caller frees it. */
+uint32_t *surface_layer_numbers(const struct surface_view *view, int layer);
+
+/* Appends the layers of surfaces among `names` that the image lacks. Error: that of view->look. Ids
+ * add an attribute with the names of those that are seen, as JSON: manylight:id.node =
+ * {"1":"floor"}. */
+bool surface_layers_append(const struct surface_view *view, const char *names, struct image *image);
 
 #endif

@@ -62,6 +62,16 @@ def check_sequence(device):
     assert count == 3
 
 
+def check_mattes(device):
+    """Cryptomatte of the program's file, and of Python's."""
+    file, own, mattes = os.path.join(FOLDER, "picture.exr"), os.path.join(FOLDER, "own.exr"), ["crypto.node", "crypto.mesh"]
+    program("render", BOX, "-o", file, "--aov", ",".join(mattes))
+    layers = device.render(BOX, SIZE, layers=mattes)
+    manylight.write(own, layers)
+    for mine in (manylight.read(file), manylight.read(own)):
+        assert all(mine[name].tobytes() == layers[name].tobytes() for name in mattes)
+
+
 def check_reference():
     """The path tracer's layers, and its error by numpy."""
     file = os.path.join(FOLDER, "reference.exr")
@@ -125,6 +135,7 @@ def main():
         layers = check_render(device, ())
         check_settings(device)
         check_sequence(device)
+        check_mattes(device)
         check_display(device)
         check_arrays(device)
     check_other_bridge(layers)

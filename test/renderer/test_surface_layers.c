@@ -222,7 +222,7 @@ static double coverage_at(const struct image *image, int x, int y, const char *l
     for (int r = 0; r < 6; r++) {
         uint32_t id, wanted = name ? cryptomatte_id(name) : 0;
         const float *rank = image_at(image, x, y) + 2 * (r % 2) +
-                            image_find_channel(image, form("%s%02d.R", layer, r / 2));
+                            image_find_channel(image, form("%s%02d.r", layer, r / 2));
         memcpy(&id, rank, sizeof id);
         assert_true((double)rank[1] <= last && (rank[1] > 0) == (id != 0));
         last = (double)rank[1];
@@ -257,10 +257,10 @@ TEST(mattes) {
         const struct image *image = &images[n / 4];
         int i = 4 + n % 4;
         double side = i < 6 ? 1 : i == 6 ? .2 : 0, tolerance = tolerances[n / 4];
-        check_near("edge", coverage_at(image, i, 4, "crypto.node", "node 2"), side, tolerance);
-        check_near("corner", coverage_at(image, i, i, "crypto.material", "material 2"), side * side,
+        check_near("edge", coverage_at(image, i, 4, "crypto_node", "node 2"), side, tolerance);
+        check_near("corner", coverage_at(image, i, i, "crypto_material", "material 2"), side * side,
                    tolerance);
-        check_near("all", coverage_at(image, i, i, "crypto.node", NULL), 1, 1e-6);
+        check_near("all", coverage_at(image, i, i, "crypto_node", NULL), 1, 1e-6);
     }
     images_free(&images[0], &images[1]);
 }
@@ -277,7 +277,7 @@ TEST(matte_file) {
     check_ok("read", image_read(&image, scratch("a.exr")));
     for (int p = 0; p < 40 * 40; p++) {
         double alpha = (double)value_at(&image, p % 40, p / 40, "A");
-        double all = coverage_at(&image, p % 40, p / 40, "crypto.node", NULL);
+        double all = coverage_at(&image, p % 40, p / 40, "crypto_node", NULL);
         assert_true(fabs(alpha - all) < 1e-3);
         partial += alpha > 0 && alpha < 1;
     }
@@ -286,6 +286,24 @@ TEST(matte_file) {
            "% render scenes/plant.glb -o @/a.exr --size 16x16 --aov crypto.mesh --set samples=1");
     expect_text("crypto.mesh is of several samples of a pixel, and picture.samples=1 has one");
     expect(2, "% reference scenes/plant.glb -o @/a.exr --spp 4 --centers --aov crypto.mesh");
+}
+
+/* Blender's matte of a name is the coverage that the file holds. */
+TEST(matte_in_blender) {
+    OWNED(image) file, matte;
+    int partial = 0;
+    need_command("blender --version");
+    expect(0, "% render scenes/cornell-box.glb --size 40x40 -q -o @/a.exr --aov crypto.node,uv");
+    expect(0, "blender -b --factory-startup -P test/renderer/blender_matte.py -- @/a.exr "
+              "crypto_node 'tall block' @/b.exr");
+    check_ok("read", image_read(&file, scratch("a.exr")));
+    check_ok("read", image_read(&matte, scratch("b.exr")));
+    for (int p = 0; p < 40 * 40; p++) {
+        double covered = coverage_at(&file, p % 40, p / 40, "crypto_node", "tall block");
+        assert_true(covered == (double)value_at(&matte, p % 40, p / 40, "R"));
+        partial += covered > 0 && covered < 1;
+    }
+    assert_true(partial > 20);
 }
 
 /* --- files --- */

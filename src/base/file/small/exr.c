@@ -417,10 +417,9 @@ static int64_t on_write(exr_const_context_t file, void *target, const void *byte
     return (int64_t)size;
 }
 
-/* Ranks of mattes are named as colours are. */
 static bool is_colour(const char *name) {
     const char *last = name + layer_length(name);
-    return strlen(last) == 1 && strchr("RGBA", *last) && strncmp(name, "crypto.", 7) != 0;
+    return strlen(last) == 1 && strchr("RGBA", *last);
 }
 
 static bool fits_half(const struct image *image, int channel) {
