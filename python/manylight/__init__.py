@@ -13,7 +13,7 @@ with the words of the program. Messages go to the logger "manylight".
 from ._device import Device, DeviceInfo, Renderer
 from ._errors import (ArgumentError, Cancelled, DeviceError, Error, FileMissing, OutOfMemory, SceneError,
                       SettingError)
-from ._image import Layers, compare, error_map, read, write
+from ._image import Layers, compare, error_map, matte, read, write
 from ._names import (Setting, devices, direct_methods, metrics, qualities, settings, techniques,
                      version)
 from ._parts import Camera, Light, Material, Mesh
@@ -22,6 +22,6 @@ from ._scene import Scene, SceneInfo, reference
 __all__ = [
     "ArgumentError", "Camera", "Cancelled", "Device", "DeviceError", "DeviceInfo", "Error", "FileMissing", "Layers",
     "Light", "Material", "Mesh", "OutOfMemory", "Renderer", "Scene", "SceneError", "SceneInfo", "Setting", "SettingError",
-    "compare", "devices", "direct_methods", "error_map", "metrics", "qualities", "read", "reference", "settings",
-    "techniques", "version", "write",
+    "compare", "devices", "direct_methods", "error_map", "matte", "metrics", "qualities", "read", "reference",
+    "settings", "techniques", "version", "write",
 ]

@@ -57,6 +57,13 @@ def read_mattes(image: Any, layer: str) -> np.ndarray:
     return np.concatenate(ranks, 2).reshape(*ranks[0].shape[:2], 6, 2)
 
 
+def matte(layer: np.ndarray, name: str) -> np.ndarray:
+    """The fraction of each pixel that parts of a name cover, from a Cryptomatte layer: float32 (height, width). A part
+    without a name is called by kind and number: "node 3"."""
+    ids, covered = np.ascontiguousarray(layer[..., 0], np.float32).view(np.uint32), layer[..., 1]
+    return np.where(ids == lib.manylight_matte_id(encode(name)), covered, np.float32(0)).sum(-1)
+
+
 def listed(layers: "str | Iterable[str] | None") -> Optional[List[str]]:
     """Names of layers, of which one may stand alone; None: all."""
     if layers is None or isinstance(layers, str):

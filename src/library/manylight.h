@@ -331,6 +331,9 @@ enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
 MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
                                                enum manylight_part part, uint32_t id);
 
+/* Returns the bits of a name's id in Cryptomatte. */
+MANYLIGHT_API uint32_t manylight_matte_id(const char *name);
+
 /* Change a part of a scene without clips, by its id; manylight_view.light changes lights. Renderers
  * and references show the change from the next frame on, with the bits of a scene opened with it.
  * Renderers follow lights, other triangles, base colours, and the turn and strength of the sky.
@@ -428,7 +431,8 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
  * none. Outputs of the technique, "val,visibility", are for single passes, not means.
  *
  * Layers of surfaces show pixel centres, without mixing; crypto.node, crypto.mesh, crypto.material
- * are Cryptomatte, of the samples of antialiasing. They are 0 where nothing is seen:
+ * are Cryptomatte of the samples of antialiasing, in channels crypto_node00.r and so on. They are 0
+ * where nothing is seen:
  *   id.node, id.mesh, id.material   from 1 on, for manylight_scene_name
  *   position                        metres, as of the camera
  *   depth                           along the ray, metres

@@ -7,6 +7,7 @@
 #include "library/arrays.h"
 #include "library/desc.h"
 #include "library/door.h"
+#include "scene/cryptomatte.h"
 #include "scene/gltf/gltf.h"
 #include "scene/lens.h"
 #include "scene/placing.h"
@@ -382,6 +383,10 @@ const char *manylight_scene_name(const struct manylight_scene *scene, enum manyl
     scene_leave(scene);
     door_leave(&door, true, MANYLIGHT_OK);
     return name;
+}
+
+uint32_t manylight_matte_id(const char *name) {
+    return cryptomatte_id(name);
 }
 
 static bool set_distortion(struct camera *camera, const struct manylight_pinhole *pinhole) {

@@ -63,13 +63,18 @@ def check_sequence(device):
 
 
 def check_mattes(device):
-    """Cryptomatte of the program's file, and of Python's."""
+    """Cryptomatte of the program's file, and of Python's. A name covers its pixels of ids."""
     file, own, mattes = os.path.join(FOLDER, "picture.exr"), os.path.join(FOLDER, "own.exr"), ["crypto.node", "crypto.mesh"]
     program("render", BOX, "-o", file, "--aov", ",".join(mattes))
     layers = device.render(BOX, SIZE, layers=mattes)
     manylight.write(own, layers)
     for mine in (manylight.read(file), manylight.read(own)):
         assert all(mine[name].tobytes() == layers[name].tobytes() for name in mattes)
+    scene = manylight.Scene(BOX)
+    ids = device.render(scene, SIZE, layers=["id.node"])["id.node"]
+    covers = {number: manylight.matte(layers["crypto.node"], name) for number, name in scene.names("node").items()}
+    assert all(np.array_equal(ids[covered > .99], np.full((covered > .99).sum(), number)) for number, covered in covers.items())
+    assert np.allclose(sum(covers.values()), layers["crypto.node"][..., 1].sum(-1)) and (covers[9] > .99).sum() > 100
 
 
 def check_reference():
