@@ -104,6 +104,25 @@ static void fill_ids(const struct surface_view *view, int layer, int channel, st
     mem_free(ids, seen);
 }
 
+/* Moves a point of a triangle's plane to an edge that it is beyond: to the nearest point as seen
+ * along the direction. */
+static void move_inside(const float *const corners[3], const float direction[3],
+                        double weights[3]) {
+    for (int i = 0; i < 3; i++) {
+        int a = (i + 1) % 3, b = (i + 2) % 3;
+        vec3 edge, other;
+        glm_vec3_sub((float *)corners[b], (float *)corners[a], edge);
+        glm_vec3_sub((float *)corners[i], (float *)corners[a], other);
+        glm_vec3_muladds((float *)direction, -glm_vec3_dot(edge, (float *)direction), edge);
+        double along = (double)glm_vec3_dot(other, edge), length = (double)glm_vec3_norm2(edge);
+        if (weights[i] >= 0)
+            continue;
+        weights[b] = fmin(fmax(weights[b] + weights[i] * along / length, 0), 1);
+        weights[a] = 1 - weights[b];
+        weights[i] = 0;
+    }
+}
+
 /* Writes the weights of a triangle's corners where a ray meets its plane, in the triangle: its edge
  * may pass the centre of the pixel by rounding. */
 static void weigh_corners(float (*positions)[3], const uint32_t index[3], const float origin[3],
@@ -125,11 +144,10 @@ static void weigh_corners(float (*positions)[3], const uint32_t index[3], const 
         u += from[c] * p[c];
         v += (double)direction[c] * q[c];
     }
-    u = det == 0 ? 1 / 3. : fmin(fmax(u / det, 0), 1);
-    v = det == 0 ? 1 / 3. : fmin(fmax(v / det, 0), 1 - u);
-    weights[0] = 1 - u - v;
-    weights[1] = u;
-    weights[2] = v;
+    weights[1] = det == 0 ? 1 / 3. : u / det;
+    weights[2] = det == 0 ? 1 / 3. : v / det;
+    weights[0] = 1 - weights[1] - weights[2];
+    move_inside(corners, direction, weights);
 }
 
 void surface_motion_free(struct surface_motion *motion) {
