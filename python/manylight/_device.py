@@ -19,6 +19,7 @@ from ._scene import Scene, camera_text, scene_of, view_of
 
 AnyScene = Union[Scene, str, "os.PathLike[str]"]
 VIEW_PARTS = {"camera", "light", "time", "motion_step", "next_camera", "previous_camera"}
+OF_FRAMES = VIEW_PARTS | {"layers", "progress"}
 
 AnyCamera = Union[str, int, Camera, None]
 
@@ -202,6 +203,8 @@ class Device:
         timed : measure passes, for `Renderer.milliseconds`
         camera : the camera that gives the default size
         """
+        for name in OF_FRAMES & set(more) | ({"camera"} if isinstance(camera, Camera) else set()):
+            raise ArgumentError(f"{name}: of each frame, so a parameter of Renderer.render")
         device, opened = self._open(), scene_of(scene)
         desc = Descriptor("renderer_desc", **width_and_height(size), technique=technique, direct=direct,
                           quality=quality, settings=settings_text(settings, more), passes=passes,

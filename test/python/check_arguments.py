@@ -137,6 +137,12 @@ def check_batch(device):
     refuse("step: -1 is not from 0", lambda: device.render(scene_of(), (9, 9), motion_step=-1, vpls=64))
 
 
+def check_renderer(device):
+    """Parameters of frames are not those of a renderer."""
+    for more in ({"layers": ["Z"]}, {"light": "0"}, {"camera": ABOVE}):
+        refuse(f"{next(iter(more))}: of each frame", lambda: device.renderer(scene_of(), (9, 9), **more))
+
+
 def check_colors(device):
     """Whole numbers are shares of their type's largest; floats are shares of 1."""
     taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
@@ -257,6 +263,7 @@ def main():
         check_surfaces(device)
         check_batch(device)
         check_colors(device)
+        check_renderer(device)
         check_vectors(device)
         check_meshes()
         check_pictures(device)
