@@ -111,12 +111,12 @@ static void move_inside(const float *const corners[3], const float direction[3],
     for (int i = 0; i < 3; i++) {
         int a = (i + 1) % 3, b = (i + 2) % 3;
         vec3 edge, other;
+        if (weights[i] >= 0)
+            continue;
         glm_vec3_sub((float *)corners[b], (float *)corners[a], edge);
         glm_vec3_sub((float *)corners[i], (float *)corners[a], other);
         glm_vec3_muladds((float *)direction, -glm_vec3_dot(edge, (float *)direction), edge);
         double along = (double)glm_vec3_dot(other, edge), length = (double)glm_vec3_norm2(edge);
-        if (weights[i] >= 0)
-            continue;
         weights[b] = fmin(fmax(weights[b] + weights[i] * along / length, 0), 1);
         weights[a] = 1 - weights[b];
         weights[i] = 0;

@@ -290,24 +290,6 @@ TEST(matte_file) {
     expect(2, "% reference scenes/plant.glb -o @/a.exr --spp 4 --centers --aov crypto.mesh");
 }
 
-/* Blender's matte of a name is the coverage that the file holds. */
-TEST(matte_in_blender) {
-    OWNED(image) file, matte;
-    int partial = 0;
-    need_command("blender --version");
-    expect(0, "% render scenes/cornell-box.glb --size 40x40 -q -o @/a.exr --aov crypto.node,uv");
-    expect(0, "blender -b --factory-startup -P test/renderer/blender_matte.py -- @/a.exr "
-              "crypto_node 'tall block' @/b.exr");
-    check_ok("read", image_read(&file, scratch("a.exr")));
-    check_ok("read", image_read(&matte, scratch("b.exr")));
-    for (int p = 0; p < 40 * 40; p++) {
-        double covered = coverage_at(&file, p % 40, p / 40, "crypto_node", "tall block");
-        assert_true(covered == (double)value_at(&matte, p % 40, p / 40, "R"));
-        partial += covered > 0 && covered < 1;
-    }
-    assert_true(partial > 20);
-}
-
 /* --- files --- */
 
 /* Integers of a file, and the names in its header. */
