@@ -52,7 +52,11 @@ static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer).samples});
+        &(struct antialias_desc){.width = desc->width,
+                                 .height = desc->height,
+                                 .samples = renderer_picture(renderer).samples,
+                                 .normal_maps = renderer_has_specular(desc) &&
+                                                materials_have_normal_maps(desc->scene)});
 }
 
 /* With the light of sampled lights and of an environment, where there are some. */
@@ -114,8 +118,9 @@ static bool init_mean(struct renderer *renderer) {
                                                .medium = scatters(desc),
                                                .caustics = kinds & HAS_CAUSTICS,
                                                .volume_caustics = kinds & HAS_VOLUME_CAUSTICS}) &&
-            antialias_pass_init(&refining->centers,
-                                &(struct antialias_desc){desc->width, desc->height, 1}));
+            antialias_pass_init(&refining->centers, &(struct antialias_desc){.width = desc->width,
+                                                                             .height = desc->height,
+                                                                             .samples = 1}));
 }
 
 static bool init_refiner(struct renderer *renderer) {

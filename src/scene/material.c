@@ -174,6 +174,13 @@ bool materials_are_plain(const struct scene *scene) {
     return true;
 }
 
+bool materials_have_normal_maps(const struct scene *scene) {
+    for (int i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].normal_texture >= 0)
+            return true;
+    return false;
+}
+
 bool materials_have_mappings(const struct scene *scene) {
     for (int i = 0; i < scene->material_count; i++) {
         const struct material *material = &scene->materials[i];

@@ -102,6 +102,9 @@ float reflectance_transmits(const struct reflectance *reflectance);
  * give equal pictures. */
 bool materials_are_plain(const struct scene *scene);
 
+/* True if a material has a normal map. */
+bool materials_have_normal_maps(const struct scene *scene);
+
 /* True if some material's textures have different mappings. */
 bool materials_have_mappings(const struct scene *scene);
 

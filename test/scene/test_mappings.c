@@ -204,6 +204,20 @@ TEST(normals) {
     check_rows(rows, sizeof rows / sizeof *rows);
 }
 
+/* Samples of a pixel lie on its triangle, however far a map bends its normal: none is an edge. */
+TEST(samples_of_bent_normals) {
+    static GLuint assigned[SIZE][SIZE][2];
+    OWNED(stage) stage = open_stage(write_square("{" BASE ", normalTexture: {index: 4}}"));
+    OWNED(renderer) renderer;
+    open_renderer(&renderer, desc_of(&stage, "clustered", "samples=8", SIZE, SIZE));
+    gl.GetTextureImage(renderer.antialias.assignment.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT,
+                       sizeof assigned, assigned);
+    int edges = 0;
+    for (int i = 0; i < (SIZE - 2) * (SIZE - 2); i++)
+        edges += assigned[1 + i / (SIZE - 2)][1 + i % (SIZE - 2)][0] != 0;
+    assert_int_equal(edges, 0);
+}
+
 /* Four textures, four mappings. Two quarters differ by the glow alone. */
 TEST(all) {
     struct pictures pictures;

@@ -26,9 +26,9 @@ static int driver_samples(void) {
 }
 
 static bool init_programs(struct antialias_pass *pass) {
-    char samples[64];
-    snprintf(samples, sizeof samples, "SAMPLES %d;SAMPLES_PER_LAYER %d", pass->samples,
-             pass->layers.samples_of_layer);
+    char samples[80];
+    snprintf(samples, sizeof samples, "SAMPLES %d;SAMPLES_PER_LAYER %d%s", pass->samples,
+             pass->layers.samples_of_layer, pass->desc.normal_maps ? ";HAS_NORMAL_MAPS" : "");
     return program_init(&pass->solid_program,
                         &(struct program_desc){.vertex = "passes/picture/samples.vert",
                                                .fragment = "passes/picture/samples.frag"}) &&

@@ -17,7 +17,8 @@ struct gbuffer;
 
 struct antialias_desc {
     int width, height;
-    int samples; /* least samples a pixel, at most 16; 1: centres alone, nothing is drawn */
+    int samples;      /* least samples a pixel, at most 16; 1: centres alone, nothing is drawn */
+    bool normal_maps; /* normals of the G-buffer may be bent off their triangles */
 };
 
 /* Layers of samples; each draws all triangles of the scene. */

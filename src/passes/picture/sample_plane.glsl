@@ -22,9 +22,21 @@ plane plane_at(vec2 place, float depth, vec3 normal) {
     return plane(depth, change.xy, abs(change.z), normal);
 }
 
+#ifdef HAS_NORMAL_MAPS
+// A map bends the normal off the plane.
+#include "passes/gather/receiver_facet.glsl"
+
+vec3 pixel_normal(ivec2 pixel) {
+    return facet_of(gbuffer_surface(pixel), pixel);
+}
+#else
+vec3 pixel_normal(ivec2 pixel) {
+    return octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
+}
+#endif
+
 plane plane_of(ivec2 pixel) {
-    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
-    return plane_at(vec2(pixel) + 0.5, gbuffer_depth(pixel), normal);
+    return plane_at(vec2(pixel) + 0.5, gbuffer_depth(pixel), pixel_normal(pixel));
 }
 
 // Distance from the plane at a place of the picture, pixels from the plane's point; over `across`.
