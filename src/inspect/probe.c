@@ -43,7 +43,7 @@ static bool read_surface(struct pick *pick, struct renderer *renderer, float x, 
     if (!renderer_read_pixel(renderer, column, row, &image))
         return false;
     const float *pixel = image.pixels;
-    pick->present = pixel[image_find_channel(&image, "A")] > 0;
+    pick->present = pixel[image_find_channel(&image, "Z")] > 0;
     copy_layer(&image, pixel, "R", pick->radiance);
     copy_layer(&image, pixel, "direct.R", pick->direct);
     copy_layer(&image, pixel, "indirect.R", pick->indirect);

@@ -240,7 +240,7 @@ TEST(panes_before_sky) {
     static const double tolerances[] = {.01, .04, .01};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         for (int up = 0; up < 2; up++) {
-            double of_opaque = 0;
+            double of_opaque = 0, covered = 0;
             for (int blends = 0; blends < 2; blends++) {
                 OWNED(stage) stage;
                 char nodes[512];
@@ -257,9 +257,12 @@ TEST(panes_before_sky) {
                 OWNED(image) drawn = render_stage(&stage, names[i], "", SIZE);
                 double seen = channel_mean(&drawn, "R");
                 of_opaque = blends ? of_opaque : seen;
-                if (blends)
+                covered = blends ? covered : channel_mean(&drawn, "A");
+                if (blends) {
                     check_near(up ? "direct over opaque" : "indirect over opaque", seen / of_opaque,
                                .6, tolerances[i]);
+                    check_near("A over opaque", channel_mean(&drawn, "A") / covered, .6, .002);
+                }
             }
         }
 }

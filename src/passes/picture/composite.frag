@@ -25,5 +25,5 @@ void main() {
     vec3 radiance = shown == LAYER_DIRECT     ? s.direct
                     : shown == LAYER_INDIRECT ? s.indirect
                                               : s.radiance;
-    color = display_before(shown, radiance, s.coverage);
+    color = display_before(shown, radiance, shown == LAYER_BEAUTY ? s.opacity : s.coverage);
 }

@@ -9,7 +9,7 @@ void main() {
     int shown = params.layer;
     float depth = gbuffer_depth(pixel);
     seen s = seen_from(pixel);
-    value = vec4(0.0, 0.0, 0.0, s.coverage);
+    value = vec4(0.0, 0.0, 0.0, shown == LAYER_BEAUTY ? s.opacity : s.coverage);
     if (shown == LAYER_BEAUTY)
         value.rgb = s.radiance;
     else if (shown == LAYER_DIRECT)

@@ -117,7 +117,16 @@ vec3 airlight(ivec2 texel) {
 vec3 through_medium(vec3 radiance, ivec2 texel) {
     return radiance * texelFetch(transmittances, texel, 0).rgb + airlight(texel) + volume_caustic(texel);
 }
+
+// The part of the light from behind that panes keep back.
+float pane_opacity(ivec2 texel) {
+    return 1.0 - texelFetch(transmittances, texel, 0).a;
+}
 #else
+float pane_opacity(ivec2 texel) {
+    return 0.0;
+}
+
 vec3 airlight(ivec2 texel) {
     return vec3(0.0);
 }
@@ -166,7 +175,7 @@ layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 // white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
 // Specular is radiance.
 struct seen {
-    float coverage;
+    float coverage, opacity; // by surfaces, by panes too
     vec3 albedo, direct, indirect, radiance, direct_specular, indirect_specular, airlight, caustic, volume;
 };
 
@@ -184,7 +193,7 @@ uvec2 assignment_at(ivec2 pixel) {
 seen seen_by(uvec2 assignment, ivec2 pixel) {
     ivec2 last = gbuffer_size() - 1;
     int count = assignment == uvec2(0u) ? 1 : params.samples;
-    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
+    seen sum = seen(0.0, 0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
                     vec3(0.0));
     vec3 weights = vec3(0.0);
     uint stand_in = 0u;
@@ -193,6 +202,7 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
     for (int i = 0; i < count; i++) {
         uint assigned = assigned_to(assignment, i);
         if (assigned == ASSIGNED_NOTHING) {
+            sum.opacity += pane_opacity(pixel);
             sum.radiance += through_medium(background(pixel), pixel);
             sum.airlight += airlight(pixel);
             sum.volume += volume_caustic(pixel);
@@ -208,6 +218,7 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
         sum.coverage += present;
+        sum.opacity += max(present, pane_opacity(texel));
         sum.albedo += albedo;
         sum.direct += weight * direct;
         sum.indirect += weight * indirect;
@@ -220,7 +231,7 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
     }
     float share = 1.0 / float(count);
     vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));
-    return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
+    return seen(sum.coverage * share, sum.opacity * share, sum.albedo * share, sum.direct * weighted,
                 sum.indirect * weighted, sum.radiance * share, sum.direct_specular * share,
                 sum.indirect_specular * share, sum.airlight * share, sum.caustic * weighted, sum.volume * share);
 }

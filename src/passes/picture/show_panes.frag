@@ -86,7 +86,7 @@ void main() {
         }
         start = met.nearest * (1.0 + PANE_EDGE);
     }
-    passes = vec4(before, 1.0);
+    passes = vec4(before, dot(before, vec3(1.0 / 3.0))); // A: without the medium
 #ifdef HAS_AIRLIGHT
     own.rgb += texelFetch(in_scatters, pixel, 0).rgb;
     passes.rgb *= texelFetch(transmittances, pixel, 0).rgb;
