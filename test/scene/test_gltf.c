@@ -333,9 +333,11 @@ TEST(lacks) {
                       "EXT_new], images: [{uri: 'texture.png'}], textures: [{source: 0}],",
               .materials = "[{normalTexture: {index: 0}, alphaMode: BLEND, emissiveFactor: [1, 1, "
                            "1], extensions: {KHR_materials_specular: {specularTexture: {index: "
-                           "0}}}}, {normalTexture: {index: 0}, occlusionTexture: {index: 0}}]"));
-    static const char *const each[] = {"clear coat", "EXT_new", "blending", "occlusion",
-                                       "textures of specular"};
+                           "0}}}}, {normalTexture: {index: 0}, occlusionTexture: {index: 0}}]",
+              .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 1, "
+                        "targets: [{POSITION: 0, COLOR_0: 0}, {TEXCOORD_0: 0}]}]}]"));
+    static const char *const each[] = {"clear coat", "EXT_new",      "blending",
+                                       "occlusion",  "morph target", "textures of specular"};
     printf("    %s", notes);
     for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
         const char *found = strstr(notes, each[i]);

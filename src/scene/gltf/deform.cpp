@@ -153,6 +153,9 @@ bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count,
                                &to.targets[i].position) ||
             !load_displacement(loader, from.targets[i], "NORMAL", vertices, &to.targets[i].normal))
             return error_prefix("morph target %d", i);
+        for (const auto &[name, accessor] : from.targets[i])
+            if (name.compare(0, 9, "TEXCOORD_") == 0 || name.compare(0, 6, "COLOR_") == 0)
+                lack(loader, "texture coordinates and colours of morph targets");
     }
     return true;
 }
