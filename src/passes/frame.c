@@ -33,13 +33,19 @@ struct draw_views frame_camera_views(const struct frame *frame, int layers, floa
         .count = layers, .first = frame->camera, .margin = clip_margin + margin};
 }
 
-/* Faces see all around. */
-struct draw_views frame_light_views(const struct frame *frame, int kind) {
-    const struct light_view *views = frame->light_block->views;
+static int first_view_of(const struct frame *frame, int kind) {
+    return kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
+}
+
+struct draw_views frame_light_views(const struct frame *frame, int kind, GLuint program) {
+    int first = first_view_of(frame, kind);
+    const struct light_view *views = &frame->light_block->views[first];
     return (struct draw_views){.count = frame->layout.views[kind],
-                               .first = kind == LIGHT_MAP_FACE ? NULL : &views->view,
+                               .first = &views->view,
                                .stride = sizeof *views,
-                               .margin = clip_margin};
+                               .margin = clip_margin,
+                               .program = program,
+                               .first_view = first};
 }
 
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state) {
@@ -54,7 +60,6 @@ void frame_cut_by_range(const struct frame *frame, struct pass_state *state) {
 }
 
 int frame_target_views(const struct frame *frame, GLuint program, int kind) {
-    int first = kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
-    gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);
+    gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first_view_of(frame, kind));
     return frame->layout.views[kind];
 }

@@ -63,10 +63,10 @@ void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 /* Returns the camera's view for `layers` layers; `margin` as in struct draw_views, NDC. */
 struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
 
-/* Returns the lights' views of `kind`, LIGHT_MAP_.... */
-struct draw_views frame_light_views(const struct frame *frame, int kind);
+/* Returns the lights' views of `kind`, LIGHT_MAP_..., for a program with lib/light_target.glsl. */
+struct draw_views frame_light_views(const struct frame *frame, int kind, GLuint program);
 
-/* Sets the uniforms of lib/light_target.glsl for views of `kind`; returns their number. */
+/* Sets LOCATION_FIRST_VIEW for all views of `kind`; returns their number. */
 int frame_target_views(const struct frame *frame, GLuint program, int kind);
 
 #endif

@@ -121,7 +121,8 @@ TEST(choice) {
     assert_int_equal(culling_level(&views, ahead, errors, 3), 0);
     struct view both[2] = {near, near};
     both[1].origin[2] = 3; /* farther off */
-    struct draw_views pair = {2, both, sizeof near, 0, .01F};
+    struct draw_views pair = {
+        .count = 2, .first = both, .stride = sizeof near, .coarseness = .01F};
     assert_int_equal(culling_level(&pair, box, errors, 3), 1);
     views.first = &both[1];
     assert_int_equal(culling_level(&views, box, errors, 3), 2);

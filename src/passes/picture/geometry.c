@@ -94,9 +94,8 @@ void geometry_pass_render_lights(const struct geometry_pass *pass, const struct 
     timer_begin(frame->timers, "rsm");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         if (frame->layout.views[kind]) {
-            struct draw_views views = frame_light_views(frame, kind);
+            struct draw_views views = frame_light_views(frame, kind, state.program);
             views.coarseness = 2 * rsm_error / (float)rsm[kind].width;
-            frame_target_views(frame, state.program, kind);
             render(state, frame, &rsm[kind], views);
         }
     timer_end(frame->timers);

@@ -60,14 +60,12 @@ static void render_kind(const struct shadow_map_pass *pass, const struct frame *
     };
     pass_set_state(&state);
     framebuffer_clear_depth(state.framebuffer, 0);
-    struct draw_views views = frame_light_views(frame, kind);
+    struct draw_views views = frame_light_views(frame, kind, state.program);
     views.coarseness = 2 * map_error / (float)state.width;
-    frame_target_views(frame, state.program, kind);
     scene_gpu_draw_opaque(frame->scene, &views);
     if (frame->scene->has_masked) {
-        state.program = pass->masked_program;
+        state.program = views.program = pass->masked_program;
         pass_set_state(&state);
-        frame_target_views(frame, state.program, kind);
         scene_gpu_draw_masked(frame->scene, &views);
     }
 }

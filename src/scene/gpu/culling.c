@@ -79,13 +79,19 @@ static const struct view *view_at(const struct draw_views *views, int i) {
     return (const struct view *)((const char *)views->first + (size_t)i * views->stride);
 }
 
+struct draw_views draw_views_only(const struct draw_views *views, int i) {
+    struct draw_views only = *views;
+    only.count = 1;
+    only.first = view_at(views, i);
+    only.first_view += i;
+    return only;
+}
+
 static int view_count(const struct draw_views *views) {
     return views->stride ? views->count : 1;
 }
 
 static bool views_see(const struct draw_views *views, float (*box)[3]) {
-    if (!views->first)
-        return true;
     for (int i = 0; i < view_count(views); i++)
         if (view_sees(view_at(views, i), views->margin, box))
             return true;
@@ -104,7 +110,7 @@ static float half_width(const struct view *view, float (*box)[3]) {
 
 int culling_level(const struct draw_views *views, float (*box)[3], const float *errors, int count) {
     int coarsest = -1;
-    if (!views->first || views->coarseness <= 0)
+    if (views->coarseness <= 0)
         return 0;
     for (int i = 0; i < view_count(views); i++) {
         const struct view *view = view_at(views, i);

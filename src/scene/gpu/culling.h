@@ -4,6 +4,7 @@
 #ifndef SCENE_GPU_CULLING_H
 #define SCENE_GPU_CULLING_H
 
+#include "gl/api.h"
 #include "scene/mesh/geometry.h"
 #include "shared/view.h"
 
@@ -15,11 +16,16 @@ struct culling {
 /* Views of a draw, one an instance. */
 struct draw_views {
     int count;
-    const struct view *first; /* NULL: all directions, nothing is culled */
+    const struct view *first;
     size_t stride;            /* bytes between views; 0: all are equal */
     float margin;             /* visible margin around the picture, NDC */
     float coarseness;         /* largest error of levels of detail, over half the picture's width */
+    GLuint program;           /* gets LOCATION_FIRST_VIEW, the number of a draw's first view; 0: none */
+    int first_view;           /* number of the first of all views */
 };
+
+/* Returns the draw of its view i alone. */
+struct draw_views draw_views_only(const struct draw_views *views, int i);
 
 void culling_init(struct culling *culling, const struct geometry *geometry);
 void culling_free(struct culling *culling);

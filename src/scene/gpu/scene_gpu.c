@@ -477,13 +477,15 @@ static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t coun
 }
 
 /* All triangles of what the views have close by, and of each other part its level. */
-static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
+static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                          const struct draw_views *views) {
     uint32_t end = first + count;
     uint64_t pending = 0;
     for (int i = 0; gpu->levels && i < gpu->levels->part_count; i++) {
         struct level_part *part = &gpu->levels->parts[i];
-        if (part->first_index < first || part->first_index >= end)
+        if (part->first_index >= end)
+            break;
+        if (part->first_index < first)
             continue;
         int level = culling_level(views, part->box, part->error, LEVEL_COUNT);
         if (level == 0)
@@ -495,6 +497,21 @@ static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t c
         first = part->first_index + part->index_count;
     }
     draw_runs(gpu, first, end - first, views, &pending);
+}
+
+/* Indices whose views draw one after another: each culls and chooses levels for itself. Fewer cost
+ * less than the draws. */
+enum { APART = 3 << 10 };
+
+static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
+                         const struct draw_views *views) {
+    int draws = views->program && count >= APART ? views->count : 1;
+    for (int i = 0; i < draws; i++) {
+        struct draw_views drawn = draws > 1 ? draw_views_only(views, i) : *views;
+        if (drawn.program)
+            gl.ProgramUniform1i(drawn.program, LOCATION_FIRST_VIEW, drawn.first_view);
+        draw_together(gpu, first, count, &drawn);
+    }
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
