@@ -5,6 +5,8 @@
 #include "scene/mesh/primitive.h"
 #include "scene/mesh/simplify.h"
 
+#include <cglm/cglm.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,11 +20,34 @@ static const float most_left = .8F;
 /* Parts of fewer triangles draw them all: a draw costs as much. */
 enum { PART_TRIANGLES = 1024 };
 
-struct level_shape {
-    const struct primitive *primitive;
+/* Triangles of a piece, whose border keeps its vertices, and least pieces of a part that is cut. */
+enum { PIECE_TRIANGLES = 2048, CUT_PIECES = 16 };
+
+static const uint32_t none = UINT32_MAX, several = UINT32_MAX - 1;
+
+/* Consecutive triangles of a primitive. */
+struct piece {
+    uint32_t first_index, index_count;
     float diagonal;
     bool has[LEVEL_COUNT];
+};
+
+struct level_shape {
+    const struct primitive *primitive;
+    struct piece *pieces;
+    int piece_count;
+    uint32_t *owner;              /* of each vertex: its piece, none or several; not kept */
     uint32_t *moved[LEVEL_COUNT]; /* for each vertex the one it collapses onto */
+};
+
+/* A piece with its own numbers of vertices. */
+struct cut {
+    struct piece *piece;
+    uint32_t *vertices; /* of the primitive, ascending */
+    struct simplify_mesh mesh;
+    uint32_t *indices; /* of the last level */
+    uint32_t *onto;    /* for each vertex the one it collapses onto in that level */
+    uint32_t drawn;    /* indices of the coarsest level that is drawn */
 };
 
 struct work {
@@ -50,36 +75,118 @@ static uint32_t move_triangles(const uint32_t *from, uint32_t count, const uint3
     return left;
 }
 
-/* count: indices of the level before, then of this one; drawn: of the coarsest that is drawn. */
-static void make_level(struct level_shape *shape, int level, uint32_t *indices, uint32_t *count,
-                       uint32_t *drawn) {
-    const struct primitive *primitive = shape->primitive;
-    uint32_t vertices = (uint32_t)primitive->vertex_count;
-    uint32_t *moved = mem_alloc(vertices, sizeof *moved);
-    float before = level > 0 ? level_errors[level - 1] : 0;
-    struct simplify_mesh mesh = {primitive->position, indices, NULL, vertices, *count,
-                                 primitive->normal};
-    simplify_mesh(&mesh,
-                  &(struct simplify_desc){.error = (level_errors[level] - before) * shape->diagonal,
-                                          .holds_borders = true},
-                  moved);
-    *count = move_triangles(indices, *count, moved, 0, indices);
-    shape->has[level] = (float)*count < most_left * (float)*drawn;
-    if (shape->has[level])
-        *drawn = *count;
-    for (uint32_t v = 0; v < vertices && level > 0; v++)
-        moved[v] = moved[shape->moved[level - 1][v]];
-    shape->moved[level] = moved;
+static uint32_t piece_count(const struct primitive *primitive) {
+    uint32_t count = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
+    return count >= CUT_PIECES ? count : 1;
 }
 
-static void make_shape(void *context, size_t number) {
-    struct level_shape *shape = &((struct levels *)context)->shapes[number];
-    uint32_t count = (uint32_t)shape->primitive->index_count, drawn = count;
-    uint32_t *indices = mem_copy(shape->primitive->indices, count, sizeof *indices);
-    shape->diagonal = primitive_diagonal(shape->primitive);
+/* Returns the first index of a piece. */
+static uint32_t piece_begin(const struct primitive *primitive, uint32_t number) {
+    uint64_t triangles = (uint64_t)primitive->index_count / 3;
+    return 3 * (uint32_t)(triangles * number / piece_count(primitive));
+}
+
+static int compare_vertices(const void *a, const void *b) {
+    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+static uint32_t list_vertices(uint32_t *list, uint32_t count) {
+    uint32_t kept = 0;
+    qsort(list, count, sizeof *list, compare_vertices);
+    for (uint32_t k = 0; k < count; k++)
+        if (k == 0 || list[k] != list[kept - 1])
+            list[kept++] = list[k];
+    return kept;
+}
+
+static void cut_init(struct cut *cut, const struct level_shape *shape, uint32_t number) {
+    const struct primitive *primitive = shape->primitive;
+    struct piece *piece = &shape->pieces[number];
+    const uint32_t *indices = primitive->indices + piece->first_index;
+    uint32_t count = piece->index_count;
+    *cut = (struct cut){piece, mem_copy(indices, count, sizeof *indices),
+                        .indices = mem_alloc(count, sizeof *indices), .drawn = count};
+    uint32_t vertices = list_vertices(cut->vertices, count);
+    cut->onto = mem_alloc(vertices, sizeof *cut->onto);
+    vec3 *position = mem_alloc(vertices, sizeof *position), low, high;
+    vec3 *normal = mem_alloc(vertices, sizeof *normal);
+    bool *locked = mem_alloc(vertices, sizeof *locked);
+    glm_vec3_broadcast(FLT_MAX, low);
+    glm_vec3_broadcast(-FLT_MAX, high);
+    for (uint32_t v = 0; v < vertices; v++) {
+        glm_vec3_copy(primitive->position[cut->vertices[v]], position[v]);
+        glm_vec3_copy(primitive->normal[cut->vertices[v]], normal[v]);
+        locked[v] = shape->owner[cut->vertices[v]] == several;
+        cut->onto[v] = v;
+        glm_vec3_minv(low, position[v], low);
+        glm_vec3_maxv(high, position[v], high);
+    }
+    piece->diagonal = glm_vec3_distance(low, high);
+    for (uint32_t k = 0; k < count; k++)
+        cut->indices[k] = (uint32_t)((uint32_t *)bsearch(&indices[k], cut->vertices, vertices,
+                                                         sizeof *indices, compare_vertices) -
+                                     cut->vertices);
+    cut->mesh = (struct simplify_mesh){position, cut->indices, locked, vertices, count, normal};
+}
+
+static void cut_free(struct cut *cut) {
+    mem_free(cut->vertices, cut->indices, cut->onto, cut->mesh.position, cut->mesh.normal,
+             (bool *)cut->mesh.locked);
+}
+
+static void make_level(struct cut *cut, const struct level_shape *shape, int level) {
+    uint32_t *moved = mem_alloc(cut->mesh.vertex_count, sizeof *moved);
+    float before = level > 0 ? level_errors[level - 1] : 0;
+    simplify_mesh(
+        &cut->mesh,
+        &(struct simplify_desc){.error = (level_errors[level] - before) * cut->piece->diagonal,
+                                .holds_borders = true},
+        moved);
+    cut->mesh.index_count =
+        move_triangles(cut->indices, cut->mesh.index_count, moved, 0, cut->indices);
+    cut->piece->has[level] = (float)cut->mesh.index_count < most_left * (float)cut->drawn;
+    if (cut->piece->has[level])
+        cut->drawn = cut->mesh.index_count;
+    for (uint32_t v = 0; v < cut->mesh.vertex_count; v++) {
+        cut->onto[v] = moved[cut->onto[v]];
+        if (!cut->mesh.locked[v])
+            shape->moved[level][cut->vertices[v]] = cut->vertices[cut->onto[v]];
+    }
+    free(moved);
+}
+static void make_piece(void *context, size_t number) {
+    const struct level_shape *shape = ((struct levels *)context)->shapes;
+    for (; number >= (size_t)shape->piece_count; shape++)
+        number -= (size_t)shape->piece_count;
+    struct cut cut;
+    cut_init(&cut, shape, (uint32_t)number);
     for (int level = 0; level < LEVEL_COUNT; level++)
-        make_level(shape, level, indices, &count, &drawn);
-    free(indices);
+        make_level(&cut, shape, level);
+    cut_free(&cut);
+}
+
+/* Cuts the primitive, and moves no vertex yet. */
+static void shape_init(struct level_shape *shape) {
+    const struct primitive *primitive = shape->primitive;
+    uint32_t vertices = (uint32_t)primitive->vertex_count, count = piece_count(primitive);
+    shape->piece_count = (int)count;
+    shape->pieces = mem_alloc(count, sizeof *shape->pieces);
+    shape->owner = mem_alloc(vertices, sizeof *shape->owner);
+    memset(shape->owner, 0xff, vertices * sizeof *shape->owner);
+    for (uint32_t p = 0; p < count; p++) {
+        uint32_t first = piece_begin(primitive, p), end = piece_begin(primitive, p + 1);
+        shape->pieces[p] = (struct piece){.first_index = first, .index_count = end - first};
+        for (uint32_t k = first; k < end; k++) {
+            uint32_t *owner = &shape->owner[primitive->indices[k]];
+            *owner = *owner == none || *owner == p ? p : several;
+        }
+    }
+    for (int l = 0; l < LEVEL_COUNT; l++) {
+        shape->moved[l] = mem_alloc(vertices, sizeof *shape->moved[l]);
+        for (uint32_t v = 0; v < vertices; v++)
+            shape->moved[l][v] = v;
+    }
 }
 
 static int compare_shapes(const void *a, const void *b) {
@@ -104,6 +211,8 @@ static void list_shapes(struct work *work) {
     for (size_t i = 0; i < count; i++)
         if (i == 0 || levels->shapes[i].primitive != levels->shapes[i - 1].primitive)
             levels->shapes[levels->shape_count++].primitive = levels->shapes[i].primitive;
+    for (int i = 0; i < levels->shape_count; i++)
+        shape_init(&levels->shapes[i]);
 }
 
 /* --- parts ------------------------------------------------------------------------------------ */
@@ -128,18 +237,29 @@ static int compare_parts(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static void list_pieces(struct work *work, int number) {
+    const struct geometry_part *part = &work->geometry->parts[number];
+    const struct primitive *primitive = geometry_primitive(work->scene, part);
+    uint32_t count = piece_count(primitive);
+    for (uint32_t p = 0; p < count; p++) {
+        uint32_t begin = piece_begin(primitive, p);
+        work->levels->parts[work->levels->part_count++] =
+            (struct level_part){.part = number,
+                                .piece = (int)p,
+                                .first_index = part->first_index + begin,
+                                .index_count = piece_begin(primitive, p + 1) - begin};
+    }
+}
+
 static void list_parts(struct work *work) {
     const struct geometry *geometry = work->geometry;
     struct levels *levels = work->levels;
-    size_t most = (size_t)geometry->part_count;
+    size_t most = (size_t)geometry->part_count + geometry->index_count / 3 / PIECE_TRIANGLES;
     levels->parts = mem_alloc(most, sizeof *levels->parts);
     work->primitives = mem_alloc(most, sizeof *work->primitives);
-    for (int i = 0; i < geometry->part_count; i++) {
-        const struct geometry_part *part = &geometry->parts[i];
-        if (has_levels(work, part))
-            levels->parts[levels->part_count++] = (struct level_part){
-                .part = i, .first_index = part->first_index, .index_count = part->index_count};
-    }
+    for (int i = 0; i < geometry->part_count; i++)
+        if (has_levels(work, &geometry->parts[i]))
+            list_pieces(work, i);
     qsort(levels->parts, (size_t)levels->part_count, sizeof *levels->parts, compare_parts);
     for (int i = 0; i < levels->part_count; i++)
         work->primitives[i] =
@@ -152,11 +272,12 @@ static void add_part(const struct work *work, struct level_part *part) {
     const struct level_shape *shape =
         find_shape(work->levels, geometry_primitive(work->scene, own));
     const uint32_t *from = work->geometry->indices + part->first_index;
-    float scale = simplify_scale(work->geometry->pose.worlds[own->node]) * shape->diagonal;
+    const struct piece *piece = &shape->pieces[part->piece];
+    float scale = simplify_scale(work->geometry->pose.worlds[own->node]) * piece->diagonal;
     struct levels *levels = work->levels;
     for (int l = 0; l < LEVEL_COUNT; l++) {
-        part->error[l] = shape->has[l] ? level_errors[l] * scale : INFINITY;
-        if (!shape->has[l])
+        part->error[l] = piece->has[l] ? level_errors[l] * scale : INFINITY;
+        if (!piece->has[l])
             continue;
         part->first[l] = levels->index_count;
         part->count[l] = move_triangles(from, part->index_count, shape->moved[l], own->first_vertex,
@@ -167,6 +288,8 @@ static void add_part(const struct work *work, struct level_part *part) {
 
 /* Casters begin with it. */
 static void keep_coarsest(struct level_shape *shape) {
+    free(shape->owner);
+    shape->owner = NULL;
     for (int l = 0; l + 1 < LEVEL_COUNT; l++) {
         free(shape->moved[l]);
         shape->moved[l] = NULL;
@@ -179,7 +302,10 @@ void levels_init(struct levels *levels, const struct scene *scene,
     struct work work = {.geometry = geometry, .levels = levels, .scene = scene};
     list_parts(&work);
     list_shapes(&work);
-    parallel_for((size_t)levels->shape_count, 0, make_shape, levels);
+    size_t pieces = 0;
+    for (int i = 0; i < levels->shape_count; i++)
+        pieces += (size_t)levels->shapes[i].piece_count;
+    parallel_for(pieces, 0, make_piece, levels);
     /* Pages that no triangle fills take no memory. */
     levels->indices =
         mem_alloc((size_t)geometry->index_count * LEVEL_COUNT, sizeof *levels->indices);
@@ -195,9 +321,17 @@ void levels_measure(struct levels *levels, const struct geometry *geometry) {
     for (int i = 0; i < levels->part_count; i++) {
         struct level_part *part = &levels->parts[i];
         const struct geometry_part *own = &geometry->parts[part->part];
-        memcpy(part->box[0], own->bounds_min, sizeof own->bounds_min);
-        memcpy(part->box[1], own->bounds_max, sizeof own->bounds_max);
+        if (own->moved <= levels->pose)
+            continue;
+        glm_vec3_broadcast(FLT_MAX, part->box[0]);
+        glm_vec3_broadcast(-FLT_MAX, part->box[1]);
+        for (uint32_t k = 0; k < part->index_count; k++) {
+            float *position = geometry->position[geometry->indices[part->first_index + k]];
+            glm_vec3_minv(part->box[0], position, part->box[0]);
+            glm_vec3_maxv(part->box[1], position, part->box[1]);
+        }
     }
+    levels->pose = geometry->pose_count;
 }
 
 void levels_free_indices(struct levels *levels) {
@@ -207,9 +341,11 @@ void levels_free_indices(struct levels *levels) {
 
 void levels_free(struct levels *levels) {
     levels_free_indices(levels);
-    for (int i = 0; i < levels->shape_count; i++)
+    for (int i = 0; i < levels->shape_count; i++) {
+        free(levels->shapes[i].pieces);
         for (int l = 0; l < LEVEL_COUNT; l++)
             free(levels->shapes[i].moved[l]);
+    }
     mem_free(levels->shapes, levels->parts);
     *levels = (struct levels){0};
 }
@@ -217,6 +353,9 @@ void levels_free(struct levels *levels) {
 const uint32_t *levels_moved(const struct levels *levels, const struct primitive *primitive,
                              float error) {
     const struct level_shape *shape = find_shape(levels, primitive);
-    bool fits = shape && level_errors[LEVEL_COUNT - 1] * shape->diagonal <= error;
+    float diagonal = 0;
+    for (int p = 0; shape && p < shape->piece_count; p++)
+        diagonal = fmaxf(diagonal, shape->pieces[p].diagonal);
+    bool fits = shape && level_errors[LEVEL_COUNT - 1] * diagonal <= error;
     return fits ? shape->moved[LEVEL_COUNT - 1] : NULL;
 }

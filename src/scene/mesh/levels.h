@@ -3,7 +3,8 @@
  * Large scenes have several triangles a pixel, and drawing costs by the triangle. Each level
  * collapses edges of the level before (scene/mesh/simplify.h) within an error. A view chooses each
  * part's level by the size of its pixels there. Levels have the geometry's vertices, and keep
- * borders and seams, so that no crack opens and normals stay. */
+ * borders and seams, so that no crack opens and normals stay. A large part is cut into pieces of
+ * consecutive triangles, each with its own level; vertices of several pieces stay. */
 #ifndef SCENE_MESH_LEVELS_H
 #define SCENE_MESH_LEVELS_H
 
@@ -11,9 +12,11 @@
 
 enum { LEVEL_COUNT = 3 };
 
-/* A part with levels: rigid, opaque, without textures and colours, of many triangles. */
+/* A part with levels, or a piece of it: rigid, opaque, without textures and colours, of many
+ * triangles. */
 struct level_part {
     int part;                                        /* in the geometry */
+    int piece;                                       /* of the pieces of its shape */
     uint32_t first_index, index_count;               /* of all its triangles, in the geometry */
     uint32_t first[LEVEL_COUNT], count[LEVEL_COUNT]; /* in struct levels; finest first */
     float error[LEVEL_COUNT];                        /* metres; INFINITY: no such level */
@@ -27,6 +30,7 @@ struct levels {
     uint32_t index_count;
     struct level_shape *shapes; /* of each primitive (levels.c) */
     int shape_count;
+    unsigned pose; /* of the geometry, when the boxes were measured */
 };
 
 /* Makes the levels of the geometry's current pose. */
