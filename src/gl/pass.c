@@ -50,12 +50,16 @@ static void set_fragments(const struct pass_state *state) {
                  !(kept & PASS_ALPHA));
 }
 
+void pass_set_cull(enum pass_cull cull) {
+    enable(GL_CULL_FACE, cull != PASS_CULL_NONE);
+    gl.CullFace(cull == PASS_CULL_FRONT ? GL_FRONT : GL_BACK);
+}
+
 static void set_primitives(const struct pass_state *state) {
     assert(state->clip_distances <= CLIP_DISTANCES_MAX);
     gl.BindVertexArray(state->vertex_array ? state->vertex_array : gl.empty_vertex_array);
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    enable(GL_CULL_FACE, state->cull != PASS_CULL_NONE);
-    gl.CullFace(state->cull == PASS_CULL_FRONT ? GL_FRONT : GL_BACK);
+    pass_set_cull(state->cull);
     enable(GL_PROGRAM_POINT_SIZE, state->point_size);
     for (int i = 0; i < CLIP_DISTANCES_MAX; i++)
         enable(GL_CLIP_DISTANCE0 + (GLenum)i, i < state->clip_distances);

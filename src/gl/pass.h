@@ -92,7 +92,8 @@ void pass_set_state(const struct pass_state *state);
 void pass_add_texture(struct pass_state *state, GLuint unit, GLuint texture);
 void pass_add_block(struct pass_state *state, GLuint block, const struct buffer *buffer);
 
-/* Set a binding or the viewport between two draws of a pass. */
+/* Set a binding, the viewport or the discarded faces between two draws of a pass. */
+void pass_set_cull(enum pass_cull cull);
 void pass_bind_texture(GLuint unit, GLuint texture);
 void pass_bind_block(const struct pass_block *block);
 void pass_viewport(int x, int y, int width, int height);

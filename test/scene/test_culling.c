@@ -103,7 +103,8 @@ static void check_views(const struct stage *stage, const struct culling *culling
     look_along(&sun, stage, 1);
     look_along(&part_of_sun, stage, 3);
     struct draw_views layers = {.count = 3, .first = views, .margin = margin};
-    struct draw_views three = {.count = 3, .first = views, .stride = sizeof *views, .margin = margin};
+    struct draw_views three = {
+        .count = 3, .first = views, .stride = sizeof *views, .margin = margin};
     struct draw_views along = {.count = 1, .first = &sun, .margin = margin};
     struct draw_views along_part = {.count = 1, .first = &part_of_sun, .margin = margin};
     double of_part = left_out(culling, geometry, &along_part);
@@ -144,26 +145,77 @@ static void see_all(const struct culling *culling) {
     }
 }
 
-/* Pictures are the same bits as where all is drawn: also tiny ones, of which samples leave a good
- * part. */
+/* Fails unless pictures are the same bits as where all is drawn; levels of detail choose apart. */
+static void check_picture(const struct stage *stage, const char *what, int width, int height) {
+    OWNED(renderer) renderer;
+    OWNED(image) culled, whole;
+    open_renderer(&renderer, desc_of(stage, "clustered", small, width, height));
+    check_ok("layers", renderer_read_layers(&renderer, &culled));
+    see_all(&renderer.scene.culling);
+    renderer_render(&renderer);
+    check_ok("layers", renderer_read_layers(&renderer, &whole));
+    printf("%s, %s, %d x %d: difference %g\n", stage->name, what, width, height,
+           relative_rmse(&culled, &whole, "indirect"));
+    assert_true(same_pixels(&culled, &whole));
+}
+
+/* Also tiny ones, of which samples leave a good part. */
 TEST(pictures) {
     static const char *const paths[] = {"scenes/atrium.glb", "scenes/three-lights.glb",
                                         "scenes/plant.glb"};
     static const int sizes[][2] = {{64, 40}, {3, 2}, {1, 1}};
-    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++)
-        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-            OWNED(stage) stage = open_stage(paths[p]);
-            OWNED(renderer) renderer;
-            OWNED(image) culled, whole;
-            open_renderer(&renderer, desc_of(&stage, "clustered", small, sizes[i][0], sizes[i][1]));
-            check_ok("layers", renderer_read_layers(&renderer, &culled));
-            see_all(&renderer.scene.culling);
-            renderer_render(&renderer);
-            check_ok("layers", renderer_read_layers(&renderer, &whole));
-            printf("%s, %d x %d: difference %g\n", stage.name, sizes[i][0], sizes[i][1],
-                   relative_rmse(&culled, &whole, "indirect"));
-            assert_true(same_pixels(&culled, &whole));
-        }
+    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
+        OWNED(stage) stage = open_stage(paths[p]);
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+            check_picture(&stage, "as it is", sizes[i][0], sizes[i][1]);
+    }
+}
+
+/* A point light at the scene's centre, on the border of faces and runs. */
+static void light_all_around(struct stage *stage) {
+    struct emitter *lamp = &stage->emitters.items[0];
+    *lamp = (struct emitter){.type = EMITTER_POINT, .intensity = {9, 9, 9}, .lamp = -1};
+    memcpy(lamp->position, stage->geometry.center, sizeof lamp->position);
+    stage->emitters.count = 1;
+}
+
+/* Cameras and lights that triangles surround, in scenes whose parts move, bend and change. */
+TEST(pictures_inside) {
+    static const char *const paths[] = {"scenes/atrium.glb", "scenes/creatures.glb",
+                                        "scenes/character.glb"};
+    static const float up[3] = {0, 1, 0}, forward[3] = {.8F, -.2F, .6F};
+    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
+        OWNED(stage) stage = open_stage(paths[p]);
+        check_ok("pose", stage_pose(&stage, 1.5));
+        light_all_around(&stage);
+        camera_look(&stage.camera, stage.geometry.center, forward, up);
+        stage.camera.orthographic = false;
+        stage.camera.fov_y = .7F;
+        check_picture(&stage, "inside", 64, 40);
+        stage.camera.shift[0] = .4F;
+        check_picture(&stage, "shifted", 64, 40);
+        stage.camera.orthographic = true;
+        stage.camera.y_extent = .3F * stage.geometry.radius;
+        check_picture(&stage, "orthographic", 64, 40);
+    }
+}
+
+/* Backs of single-sided surfaces are culled by the winding of a mirrored node: the picture of a
+ * closed mesh is that with two sides. */
+TEST(mirrored_backs) {
+    struct image drawn[2];
+    for (int two = 0; two < 2; two++) {
+        OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
+        for (int i = 0; i < stage.scene.node_count; i++)
+            stage.scene.nodes[i].scale[0] *= stage.scene.nodes[i].parent < 0 ? -1 : 1;
+        for (int m = 0; m < stage.scene.material_count; m++)
+            stage.scene.materials[m].double_sided = two;
+        pose_stage(&stage);
+        drawn[two] = render_stage(&stage, "clustered", small, 48);
+    }
+    check_at_most("difference", relative_rmse(&drawn[0], &drawn[1], "direct"), 1e-3);
+    image_free(&drawn[0]);
+    image_free(&drawn[1]);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -103,6 +103,65 @@ TEST(casters_of_twins) {
     stage_free(&stage);
 }
 
+/* Three animals in one mesh, side by side: 50,928 triangles. */
+static void join_three(struct stage *stage) {
+    *stage = open_stage("scenes/cornell-animal.glb");
+    struct primitive *animal = NULL;
+    for (int m = 0; m < stage->scene.mesh_count; m++)
+        if (stage->scene.meshes[m].primitives[0].index_count > 3000)
+            animal = &stage->scene.meshes[m].primitives[0];
+    assert_non_null(animal);
+    size_t vertices = (size_t)animal->vertex_count, indices = (size_t)animal->index_count;
+    animal->position = mem_resize(animal->position, 3 * vertices, sizeof *animal->position);
+    animal->normal = mem_resize(animal->normal, 3 * vertices, sizeof *animal->normal);
+    animal->indices = mem_resize(animal->indices, 3 * indices, sizeof *animal->indices);
+    for (size_t v = vertices; v < 3 * vertices; v++) {
+        glm_vec3_add(animal->position[v - vertices], (vec3){2, 0, 0}, animal->position[v]);
+        glm_vec3_copy(animal->normal[v - vertices], animal->normal[v]);
+    }
+    for (size_t k = indices; k < 3 * indices; k++)
+        animal->indices[k] = animal->indices[k - indices] + (uint32_t)vertices;
+    for (int m = 0; m < MAPPINGS_MAX; m++) {
+        free(animal->uv[m]);
+        animal->uv[m] = NULL;
+    }
+    animal->vertex_count *= 3;
+    animal->index_count *= 3;
+    pose_stage(stage);
+}
+
+/* Each piece of a large mesh chooses its level, and no crack opens between pieces of any. */
+TEST(pieces) {
+    OWNED(stage) stage;
+    OWNED(levels) levels;
+    join_three(&stage);
+    levels_init(&levels, &stage.scene, &stage.geometry);
+    assert_true(levels.part_count >= 16);
+    assert_int_equal(levels.shape_count, 1);
+    const struct geometry_part *whole = &stage.geometry.parts[levels.parts[0].part];
+    uint32_t *drawn = mem_alloc(whole->index_count, sizeof *drawn), count = 0, of_all = 0;
+    uint32_t end = whole->first_index;
+    for (int i = 0; i < levels.part_count; i++) {
+        const struct level_part *piece = &levels.parts[i];
+        int level = i % (LEVEL_COUNT + 1) - 1; /* -1: all triangles */
+        bool levelled = level >= 0 && !isinf(piece->error[level]);
+        const uint32_t *from = levelled ? levels.indices + piece->first[level]
+                                        : stage.geometry.indices + piece->first_index;
+        uint32_t own = levelled ? piece->count[level] : piece->index_count;
+        assert_int_equal(piece->first_index, end);
+        end += piece->index_count;
+        memcpy(drawn + count, from, own * sizeof *from);
+        count += own;
+        of_all += levelled ? piece->index_count : own;
+        check_at_most("width of a piece", (double)(piece->box[1][0] - piece->box[0][0]),
+                      (double)(whole->bounds_max[0] - whole->bounds_min[0]) / 2);
+    }
+    assert_int_equal(end, whole->first_index + whole->index_count);
+    assert_true(is_closed(drawn, count));
+    check_at_most("indices drawn", count, of_all - 1);
+    free(drawn);
+}
+
 /* Half a picture is as wide as the distance. A box from 3 to 5 m shows 1 % of half the picture as
  * 3 cm at its nearest point. Behind the camera nothing is drawn. */
 TEST(choice) {
@@ -121,8 +180,7 @@ TEST(choice) {
     assert_int_equal(culling_level(&views, ahead, errors, 3), 0);
     struct view both[2] = {near, near};
     both[1].origin[2] = 3; /* farther off */
-    struct draw_views pair = {
-        .count = 2, .first = both, .stride = sizeof near, .coarseness = .01F};
+    struct draw_views pair = {.count = 2, .first = both, .stride = sizeof near, .coarseness = .01F};
     assert_int_equal(culling_level(&pair, box, errors, 3), 1);
     views.first = &both[1];
     assert_int_equal(culling_level(&views, box, errors, 3), 2);

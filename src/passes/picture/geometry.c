@@ -79,8 +79,11 @@ void geometry_pass_render_camera(const struct geometry_pass *pass, const struct 
     timer_begin(frame->timers, "gbuffer");
     if (frame->sensor > 0)
         show_sensor(frame, gbuffer);
-    else
-        render(state, frame, gbuffer, frame_camera_views(frame, 1, 0));
+    else {
+        struct draw_views views = frame_camera_views(frame, 1, 0);
+        views.without_backs = true;
+        render(state, frame, gbuffer, views);
+    }
     timer_end(frame->timers);
 }
 

@@ -17,11 +17,12 @@ struct culling {
 struct draw_views {
     int count;
     const struct view *first;
-    size_t stride;            /* bytes between views; 0: all are equal */
-    float margin;             /* visible margin around the picture, NDC */
-    float coarseness;         /* largest error of levels of detail, over half the picture's width */
-    GLuint program;           /* gets LOCATION_FIRST_VIEW, the number of a draw's first view; 0: none */
-    int first_view;           /* number of the first of all views */
+    size_t stride;      /* bytes between views; 0: all are equal */
+    float margin;       /* visible margin around the picture, NDC */
+    bool without_backs; /* backs of single-sided surfaces are not seen */
+    float coarseness;   /* largest error of levels of detail, over half the picture's width */
+    GLuint program;     /* gets LOCATION_FIRST_VIEW, the number of a draw's first view; 0: none */
+    int first_view;     /* number of the first of all views */
 };
 
 /* Returns the draw of its view i alone. */

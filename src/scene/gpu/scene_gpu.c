@@ -478,7 +478,7 @@ static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t coun
 
 /* All triangles of what the views have close by, and of each other part its level. */
 static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
-                         const struct draw_views *views) {
+                          const struct draw_views *views) {
     uint32_t end = first + count;
     uint64_t pending = 0;
     for (int i = 0; gpu->levels && i < gpu->levels->part_count; i++) {
@@ -535,9 +535,17 @@ void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
                                                 : gpu->blank.id);
 }
 
+/* Of a single-sided material. */
+static void cull_backs(const struct scene_gpu *gpu, int material) {
+    bool two = has_two_sides(&gpu->scene->materials[material], gpu->smooth_black);
+    pass_set_cull(two ? PASS_CULL_NONE : PASS_CULL_BACK);
+}
+
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
                        const struct draw_views *views) {
     scene_gpu_bind_material(gpu, batch->material);
+    if (views->without_backs)
+        cull_backs(gpu, batch->material);
     draw_indices(gpu, batch->first_index, batch->index_count, views);
 }
 
