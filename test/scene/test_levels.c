@@ -110,7 +110,7 @@ static void join_three(struct stage *stage) {
     for (int m = 0; m < stage->scene.mesh_count; m++)
         if (stage->scene.meshes[m].primitives[0].index_count > 3000)
             animal = &stage->scene.meshes[m].primitives[0];
-    assert_non_null(animal);
+    assert_null(animal->uv[0]);
     size_t vertices = (size_t)animal->vertex_count, indices = (size_t)animal->index_count;
     animal->position = mem_resize(animal->position, 3 * vertices, sizeof *animal->position);
     animal->normal = mem_resize(animal->normal, 3 * vertices, sizeof *animal->normal);
@@ -121,10 +121,6 @@ static void join_three(struct stage *stage) {
     }
     for (size_t k = indices; k < 3 * indices; k++)
         animal->indices[k] = animal->indices[k - indices] + (uint32_t)vertices;
-    for (int m = 0; m < MAPPINGS_MAX; m++) {
-        free(animal->uv[m]);
-        animal->uv[m] = NULL;
-    }
     animal->vertex_count *= 3;
     animal->index_count *= 3;
     pose_stage(stage);
@@ -137,9 +133,8 @@ TEST(pieces) {
     join_three(&stage);
     levels_init(&levels, &stage.scene, &stage.geometry);
     assert_true(levels.part_count >= 16);
-    assert_int_equal(levels.shape_count, 1);
     const struct geometry_part *whole = &stage.geometry.parts[levels.parts[0].part];
-    uint32_t *drawn = mem_alloc(whole->index_count, sizeof *drawn), count = 0, of_all = 0;
+    uint32_t *drawn = mem_alloc(whole->index_count, sizeof *drawn), count = 0;
     uint32_t end = whole->first_index;
     for (int i = 0; i < levels.part_count; i++) {
         const struct level_part *piece = &levels.parts[i];
@@ -152,13 +147,11 @@ TEST(pieces) {
         end += piece->index_count;
         memcpy(drawn + count, from, own * sizeof *from);
         count += own;
-        of_all += levelled ? piece->index_count : own;
         check_at_most("width of a piece", (double)(piece->box[1][0] - piece->box[0][0]),
                       (double)(whole->bounds_max[0] - whole->bounds_min[0]) / 2);
     }
     assert_int_equal(end, whole->first_index + whole->index_count);
-    assert_true(is_closed(drawn, count));
-    check_at_most("indices drawn", count, of_all - 1);
+    assert_true(is_closed(drawn, count) && count < whole->index_count);
     free(drawn);
 }
 

@@ -535,17 +535,12 @@ void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
                                                 : gpu->blank.id);
 }
 
-/* Of a single-sided material. */
-static void cull_backs(const struct scene_gpu *gpu, int material) {
-    bool two = has_two_sides(&gpu->scene->materials[material], gpu->smooth_black);
-    pass_set_cull(two ? PASS_CULL_NONE : PASS_CULL_BACK);
-}
-
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
                        const struct draw_views *views) {
+    const struct material *material = &gpu->scene->materials[batch->material];
     scene_gpu_bind_material(gpu, batch->material);
     if (views->without_backs)
-        cull_backs(gpu, batch->material);
+        pass_set_cull(has_two_sides(material, gpu->smooth_black) ? PASS_CULL_NONE : PASS_CULL_BACK);
     draw_indices(gpu, batch->first_index, batch->index_count, views);
 }
 

@@ -23,31 +23,18 @@ enum { PART_TRIANGLES = 1024 };
 /* Triangles of a piece, whose border keeps its vertices, and least pieces of a part that is cut. */
 enum { PIECE_TRIANGLES = 2048, CUT_PIECES = 16 };
 
-static const uint32_t none = UINT32_MAX, several = UINT32_MAX - 1;
-
 /* Consecutive triangles of a primitive. */
 struct piece {
-    uint32_t first_index, index_count;
     float diagonal;
+    uint32_t left, drawn; /* indices of the last level, and of the coarsest that is drawn */
     bool has[LEVEL_COUNT];
 };
 
 struct level_shape {
     const struct primitive *primitive;
     struct piece *pieces;
-    int piece_count;
-    uint32_t *owner;              /* of each vertex: its piece, none or several; not kept */
+    uint32_t piece_count;
     uint32_t *moved[LEVEL_COUNT]; /* for each vertex the one it collapses onto */
-};
-
-/* A piece with its own numbers of vertices. */
-struct cut {
-    struct piece *piece;
-    uint32_t *vertices; /* of the primitive, ascending */
-    struct simplify_mesh mesh;
-    uint32_t *indices; /* of the last level */
-    uint32_t *onto;    /* for each vertex the one it collapses onto in that level */
-    uint32_t drawn;    /* indices of the coarsest level that is drawn */
 };
 
 struct work {
@@ -86,107 +73,68 @@ static uint32_t piece_begin(const struct primitive *primitive, uint32_t number) 
     return 3 * (uint32_t)(triangles * number / piece_count(primitive));
 }
 
-static int compare_vertices(const void *a, const void *b) {
-    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
-}
-
-static uint32_t list_vertices(uint32_t *list, uint32_t count) {
-    uint32_t kept = 0;
-    qsort(list, count, sizeof *list, compare_vertices);
-    for (uint32_t k = 0; k < count; k++)
-        if (k == 0 || list[k] != list[kept - 1])
-            list[kept++] = list[k];
-    return kept;
-}
-
-static void cut_init(struct cut *cut, const struct level_shape *shape, uint32_t number) {
+/* Cuts the primitive. Returns for each vertex its piece's diagonal; -1: it is of several. */
+static float *cut_shape(struct level_shape *shape) {
     const struct primitive *primitive = shape->primitive;
-    struct piece *piece = &shape->pieces[number];
-    const uint32_t *indices = primitive->indices + piece->first_index;
-    uint32_t count = piece->index_count;
-    *cut = (struct cut){piece, mem_copy(indices, count, sizeof *indices),
-                        .indices = mem_alloc(count, sizeof *indices), .drawn = count};
-    uint32_t vertices = list_vertices(cut->vertices, count);
-    cut->onto = mem_alloc(vertices, sizeof *cut->onto);
-    vec3 *position = mem_alloc(vertices, sizeof *position), low, high;
-    vec3 *normal = mem_alloc(vertices, sizeof *normal);
-    bool *locked = mem_alloc(vertices, sizeof *locked);
-    glm_vec3_broadcast(FLT_MAX, low);
-    glm_vec3_broadcast(-FLT_MAX, high);
-    for (uint32_t v = 0; v < vertices; v++) {
-        glm_vec3_copy(primitive->position[cut->vertices[v]], position[v]);
-        glm_vec3_copy(primitive->normal[cut->vertices[v]], normal[v]);
-        locked[v] = shape->owner[cut->vertices[v]] == several;
-        cut->onto[v] = v;
-        glm_vec3_minv(low, position[v], low);
-        glm_vec3_maxv(high, position[v], high);
-    }
-    piece->diagonal = glm_vec3_distance(low, high);
-    for (uint32_t k = 0; k < count; k++)
-        cut->indices[k] = (uint32_t)((uint32_t *)bsearch(&indices[k], cut->vertices, vertices,
-                                                         sizeof *indices, compare_vertices) -
-                                     cut->vertices);
-    cut->mesh = (struct simplify_mesh){position, cut->indices, locked, vertices, count, normal};
-}
-
-static void cut_free(struct cut *cut) {
-    mem_free(cut->vertices, cut->indices, cut->onto, cut->mesh.position, cut->mesh.normal,
-             (bool *)cut->mesh.locked);
-}
-
-static void make_level(struct cut *cut, const struct level_shape *shape, int level) {
-    uint32_t *moved = mem_alloc(cut->mesh.vertex_count, sizeof *moved);
-    float before = level > 0 ? level_errors[level - 1] : 0;
-    simplify_mesh(
-        &cut->mesh,
-        &(struct simplify_desc){.error = (level_errors[level] - before) * cut->piece->diagonal,
-                                .holds_borders = true},
-        moved);
-    cut->mesh.index_count =
-        move_triangles(cut->indices, cut->mesh.index_count, moved, 0, cut->indices);
-    cut->piece->has[level] = (float)cut->mesh.index_count < most_left * (float)cut->drawn;
-    if (cut->piece->has[level])
-        cut->drawn = cut->mesh.index_count;
-    for (uint32_t v = 0; v < cut->mesh.vertex_count; v++) {
-        cut->onto[v] = moved[cut->onto[v]];
-        if (!cut->mesh.locked[v])
-            shape->moved[level][cut->vertices[v]] = cut->vertices[cut->onto[v]];
-    }
-    free(moved);
-}
-static void make_piece(void *context, size_t number) {
-    const struct level_shape *shape = ((struct levels *)context)->shapes;
-    for (; number >= (size_t)shape->piece_count; shape++)
-        number -= (size_t)shape->piece_count;
-    struct cut cut;
-    cut_init(&cut, shape, (uint32_t)number);
-    for (int level = 0; level < LEVEL_COUNT; level++)
-        make_level(&cut, shape, level);
-    cut_free(&cut);
-}
-
-/* Cuts the primitive, and moves no vertex yet. */
-static void shape_init(struct level_shape *shape) {
-    const struct primitive *primitive = shape->primitive;
-    uint32_t vertices = (uint32_t)primitive->vertex_count, count = piece_count(primitive);
-    shape->piece_count = (int)count;
-    shape->pieces = mem_alloc(count, sizeof *shape->pieces);
-    shape->owner = mem_alloc(vertices, sizeof *shape->owner);
-    memset(shape->owner, 0xff, vertices * sizeof *shape->owner);
-    for (uint32_t p = 0; p < count; p++) {
-        uint32_t first = piece_begin(primitive, p), end = piece_begin(primitive, p + 1);
-        shape->pieces[p] = (struct piece){.first_index = first, .index_count = end - first};
-        for (uint32_t k = first; k < end; k++) {
-            uint32_t *owner = &shape->owner[primitive->indices[k]];
-            *owner = *owner == none || *owner == p ? p : several;
+    float *sizes = mem_alloc((size_t)primitive->vertex_count, sizeof *sizes);
+    uint32_t *owner = mem_alloc((size_t)primitive->vertex_count, sizeof *owner);
+    shape->piece_count = piece_count(primitive);
+    shape->pieces = mem_alloc(shape->piece_count, sizeof *shape->pieces);
+    for (uint32_t p = 0; p < shape->piece_count; p++) {
+        struct primitive part = *primitive;
+        part.indices += piece_begin(primitive, p);
+        part.index_count = (int)(piece_begin(primitive, p + 1) - piece_begin(primitive, p));
+        float diagonal = primitive_diagonal(&part);
+        uint32_t count = (uint32_t)part.index_count;
+        shape->pieces[p] = (struct piece){.diagonal = diagonal, .left = count, .drawn = count};
+        for (int k = 0; k < part.index_count; k++) {
+            uint32_t v = part.indices[k];
+            sizes[v] = owner[v] == 0 || owner[v] == p + 1 ? diagonal : -1;
+            owner[v] = owner[v] == 0 ? p + 1 : owner[v];
         }
     }
-    for (int l = 0; l < LEVEL_COUNT; l++) {
-        shape->moved[l] = mem_alloc(vertices, sizeof *shape->moved[l]);
-        for (uint32_t v = 0; v < vertices; v++)
-            shape->moved[l][v] = v;
+    free(owner);
+    return sizes;
+}
+
+/* indices, count: of the level before, then of this one, piece by piece. */
+static void make_level(struct level_shape *shape, int level, uint32_t *indices, uint32_t *count,
+                       const float *sizes) {
+    const struct primitive *primitive = shape->primitive;
+    uint32_t vertices = (uint32_t)primitive->vertex_count, begin = 0;
+    uint32_t *moved = mem_alloc(vertices, sizeof *moved);
+    float *errors = mem_alloc(vertices, sizeof *errors);
+    float before = level > 0 ? level_errors[level - 1] : 0;
+    for (uint32_t v = 0; v < vertices; v++)
+        errors[v] = (level_errors[level] - before) * sizes[v];
+    struct simplify_mesh mesh = {primitive->position, indices, NULL, vertices, *count,
+                                 primitive->normal};
+    simplify_mesh(&mesh, &(struct simplify_desc){.errors = errors, .holds_borders = true}, moved);
+    *count = 0;
+    for (uint32_t p = 0; p < shape->piece_count; p++) {
+        struct piece *piece = &shape->pieces[p];
+        uint32_t left = move_triangles(indices + begin, piece->left, moved, 0, indices + *count);
+        begin += piece->left;
+        *count += left;
+        piece->left = left;
+        piece->has[level] = (float)left < most_left * (float)piece->drawn;
+        if (piece->has[level])
+            piece->drawn = left;
     }
+    for (uint32_t v = 0; v < vertices && level > 0; v++)
+        moved[v] = moved[shape->moved[level - 1][v]];
+    shape->moved[level] = moved;
+    free(errors);
+}
+
+static void make_shape(void *context, size_t number) {
+    struct level_shape *shape = &((struct levels *)context)->shapes[number];
+    uint32_t count = (uint32_t)shape->primitive->index_count;
+    uint32_t *indices = mem_copy(shape->primitive->indices, count, sizeof *indices);
+    float *sizes = cut_shape(shape);
+    for (int level = 0; level < LEVEL_COUNT; level++)
+        make_level(shape, level, indices, &count, sizes);
+    mem_free(indices, sizes);
 }
 
 static int compare_shapes(const void *a, const void *b) {
@@ -211,8 +159,6 @@ static void list_shapes(struct work *work) {
     for (size_t i = 0; i < count; i++)
         if (i == 0 || levels->shapes[i].primitive != levels->shapes[i - 1].primitive)
             levels->shapes[levels->shape_count++].primitive = levels->shapes[i].primitive;
-    for (int i = 0; i < levels->shape_count; i++)
-        shape_init(&levels->shapes[i]);
 }
 
 /* --- parts ------------------------------------------------------------------------------------ */
@@ -240,14 +186,10 @@ static int compare_parts(const void *a, const void *b) {
 static void list_pieces(struct work *work, int number) {
     const struct geometry_part *part = &work->geometry->parts[number];
     const struct primitive *primitive = geometry_primitive(work->scene, part);
-    uint32_t count = piece_count(primitive);
-    for (uint32_t p = 0; p < count; p++) {
-        uint32_t begin = piece_begin(primitive, p);
-        work->levels->parts[work->levels->part_count++] =
-            (struct level_part){.part = number,
-                                .piece = (int)p,
-                                .first_index = part->first_index + begin,
-                                .index_count = piece_begin(primitive, p + 1) - begin};
+    for (uint32_t p = 0; p < piece_count(primitive); p++) {
+        uint32_t begin = piece_begin(primitive, p), end = piece_begin(primitive, p + 1);
+        work->levels->parts[work->levels->part_count++] = (struct level_part){
+            number, (int)p, .first_index = part->first_index + begin, .index_count = end - begin};
     }
 }
 
@@ -288,8 +230,6 @@ static void add_part(const struct work *work, struct level_part *part) {
 
 /* Casters begin with it. */
 static void keep_coarsest(struct level_shape *shape) {
-    free(shape->owner);
-    shape->owner = NULL;
     for (int l = 0; l + 1 < LEVEL_COUNT; l++) {
         free(shape->moved[l]);
         shape->moved[l] = NULL;
@@ -302,10 +242,7 @@ void levels_init(struct levels *levels, const struct scene *scene,
     struct work work = {.geometry = geometry, .levels = levels, .scene = scene};
     list_parts(&work);
     list_shapes(&work);
-    size_t pieces = 0;
-    for (int i = 0; i < levels->shape_count; i++)
-        pieces += (size_t)levels->shapes[i].piece_count;
-    parallel_for(pieces, 0, make_piece, levels);
+    parallel_for((size_t)levels->shape_count, 0, make_shape, levels);
     /* Pages that no triangle fills take no memory. */
     levels->indices =
         mem_alloc((size_t)geometry->index_count * LEVEL_COUNT, sizeof *levels->indices);
@@ -354,7 +291,7 @@ const uint32_t *levels_moved(const struct levels *levels, const struct primitive
                              float error) {
     const struct level_shape *shape = find_shape(levels, primitive);
     float diagonal = 0;
-    for (int p = 0; shape && p < shape->piece_count; p++)
+    for (uint32_t p = 0; shape && p < shape->piece_count; p++)
         diagonal = fmaxf(diagonal, shape->pieces[p].diagonal);
     bool fits = shape && level_errors[LEVEL_COUNT - 1] * diagonal <= error;
     return fits ? shape->moved[LEVEL_COUNT - 1] : NULL;

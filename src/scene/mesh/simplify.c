@@ -179,6 +179,10 @@ static float quadric_distance(const struct quadric *quadric, const float *point)
     return (float)sqrt(fmax(sum, 0) / fmax(quadric->weight, 1e-300));
 }
 
+static float error_at(const struct patch *patch, uint32_t vertex) {
+    return patch->desc.errors ? patch->desc.errors[vertex] : patch->desc.error;
+}
+
 /* Whether a triangle may move one of its corners: not where it turns over or grows too long, nor
  * where it comes to lie before the corner, which would be in its shadow. */
 static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint32_t from,
@@ -193,7 +197,7 @@ static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint
     vec3 left;
     glm_vec3_sub(patch->position[from], p, left);
     return glm_vec3_dot(old, made) > cosine &&
-           glm_vec3_dot(left, made) >= -advance * patch->desc.error * glm_vec3_norm(made);
+           glm_vec3_dot(left, made) >= -advance * error_at(patch, from) * glm_vec3_norm(made);
 }
 
 static bool all_may_move(const struct patch *patch, uint32_t from, uint32_t to) {
@@ -239,8 +243,8 @@ static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
         float strayed = quadric_distance(&patch->quadrics[from], patch->position[to]);
         float length = glm_vec3_distance(patch->position[from], patch->position[to]);
         float order = sum * (strayed + length_weight * length);
-        if (strayed <= patch->desc.error && order < best.order && all_may_move(patch, from, to) &&
-            keeps_topology(patch, &ring, &ring.items[i]))
+        if (strayed <= error_at(patch, from) && order < best.order &&
+            all_may_move(patch, from, to) && keeps_topology(patch, &ring, &ring.items[i]))
             best = (struct collapse){from, to, order};
     }
     return best;

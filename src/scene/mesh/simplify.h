@@ -16,6 +16,8 @@ struct simplify_desc {
     float error;             /* surface error, root mean square; INFINITY: unbounded */
     uint32_t triangle_count; /* least number of triangles left */
     bool holds_borders;      /* vertices of borders stay */
+    /* For simplify_mesh: each vertex's error; a negative one holds it. NULL: all have `error`. */
+    const float *errors;
     /* For simplify_geometry: the scene whose instances share their triangles; NULL: none do. */
     const struct scene *scene;
     const struct levels *levels; /* of the scene, to begin with (scene/mesh/levels.h); or NULL */
