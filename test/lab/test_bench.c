@@ -386,8 +386,8 @@ LONG_TEST(vpl_raytraced) {
 /* --- the command line ------------------------------------------------------------------------- */
 
 TEST(help) {
-    static const char *const modes[] = {"times",    "sweep",  "budget",   "curves", "temporal",
-                                        "failures", "direct", "caustics", "quality"};
+    static const char *const modes[] = {"times",    "sweep",    "budget", "curves",
+                                        "temporal", "failures", "direct", "quality"};
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };
     for (int i = 0; i < MODES; i++)

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 static const struct bench_mode *const bench_modes[] = {
-    &bench_times,    &bench_sweep,    &bench_budget, &bench_curves,   &bench_passes, &bench_quality,
-    &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
+    &bench_times,   &bench_sweep,    &bench_budget,   &bench_curves, &bench_passes,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, NULL,
 };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
@@ -100,9 +100,6 @@ static const struct option options[] = {
          "also measure the denoised path tracer with 1 to 16 samples per pixel, by default\n"
          "against --reference path; sweep on software OpenGL: its CPU time at each\n"
          "variant's error (\"< curve\": below that of 1 sample, \"> curve\": above that of 16)"},
-    {"tables", 0, OPTION_FLAG, VALUE(tables),
-     .help = "also print, for a lamp: the cost of one more light with MIP maps and with\n"
-             "summed area tables; time of each step of a frame with soft shadows, in percent"},
     {"estimates", 0, OPTION_FLAG, VALUE(estimates),
      .help = "only estimate the error of each choice: no times, no fixed settings for comparison"},
     {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",

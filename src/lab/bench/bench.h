@@ -17,7 +17,7 @@ struct bench_values {
     const char *csv, *cache, *output, *reference_file, *picture;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, estimates, whole_frames;
+    bool tracer, estimates, whole_frames;
     struct stage_desc stage; /* without a path */
 };
 
@@ -67,7 +67,7 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_budget, bench_curves, bench_passes,
-    bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
+    bench_quality, bench_temporal, bench_failures, bench_direct;
 
 /* Measures and prints everything, and writes --csv. Error: a file, scene or renderer failed. */
 bool bench_run(struct bench *bench, const struct bench_mode *mode);
