@@ -11,7 +11,7 @@ TEST_PROGRAMS := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(filter-out $(if $(VIE
 # LONG=1: all rows of each test, not a few of each kind, and these programs: they fail calls one by one, or walk through the
 # window by mouse and keys. `make test` has the two programs that compare the window's pictures.
 LONG :=
-LONG_TESTS := faults full_disk view view_arriving view_camera view_compiling view_idle view_keys view_kept view_leaks view_open \
+LONG_TESTS := faults full_disk view view_arriving view_camera view_compiling view_idle view_keys view_leaks view_open \
     view_panel view_reference view_results view_start view_tools view_walk
 TESTS := $(filter-out $(if $(LONG),,$(LONG_TESTS:%=$(BUILD)/test/test_%)),$(TEST_PROGRAMS))
 

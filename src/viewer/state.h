@@ -12,7 +12,6 @@
 #include "renderer/renderer.h"
 #include "scene/lights/environment.h"
 #include "viewer/files/file_dialog.h"
-#include "viewer/files/gallery.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/preview.h"
 #include "viewer/picture/compare.h"
@@ -27,7 +26,7 @@
 #include "viewer/window/messages.h"
 #include "viewer/window/window.h"
 
-enum { PASSES_AT_REST = 1024 };
+enum { PASSES_AT_REST = 1024, OWN_SCENES_MAX = 40 };
 
 /* Options of the viewer. */
 #define SESSION_PATH "manylight.settings"
@@ -183,7 +182,6 @@ struct opening {
     struct preview preview;           /* of the arriving scene */
     bool is_arriving;
     bool is_announced; /* its renderer is made next */
-    bool is_given;     /* the command line sets the look of the first scene */
     struct reloading {
         struct file_stamp asked, shown, seen; /* stamps of the file */
         struct scene_open_desc desc;          /* how it was opened */
@@ -215,16 +213,12 @@ struct viewer {
     struct panel panel;
     struct history history;
     struct tracing tracing;
-    struct gallery gallery; /* of the empty window, if has_gallery */
-    bool has_gallery;
+    struct own_scenes {
+        char *paths[OWN_SCENES_MAX];
+        int count;
+        bool is_listed;
+    } own_scenes; /* scenes of the program, in the empty window */
     struct file_dialog dialog;
-    struct kept {
-        bool on;              /* no option sets the look of the scene */
-        bool was_restored;    /* the scene looks as it was left */
-        bool is_incomplete;   /* part of that could not be shown */
-        struct session fresh; /* look of its file, if on */
-        struct session shown; /* look at the start, if restored */
-    } kept;
     struct exposing {
         float usual;     /* exposure that the scene began with, EV */
         bool waits;      /* the first frame is not drawn yet */

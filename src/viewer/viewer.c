@@ -5,9 +5,9 @@
 #include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/screen.h"
-#include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/files/screenshot.h"
+#include "viewer/files/start.h"
 #include "viewer/panel/panel.h"
 #include "viewer/picture/budget.h"
 #include "viewer/picture/look.h"
@@ -155,8 +155,7 @@ static bool has_news(struct viewer *viewer) {
                 (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
                 reference_tracer_has_news(&viewer->tracing.tracer) ||
-                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer ||
-                gallery_has_news(&viewer->gallery);
+                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer;
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -273,7 +272,7 @@ static bool open_window(struct viewer *viewer) {
 
 static void close_window(struct viewer *viewer) {
     viewer_forget_reference(viewer);
-    gallery_free(&viewer->gallery);
+    start_free(viewer);
     preview_free(&viewer->opening.preview);
     compiling_free(&viewer->compiling);
     document_free(&viewer->opening.leaving);
@@ -308,19 +307,9 @@ static bool begin(struct viewer *viewer) {
            !viewer_is_scripted(viewer);
 }
 
-/* A command line that says how the scene is to look means that. */
-static bool is_given(const struct viewer_desc *desc) {
-    return desc->camera || desc->light || desc->clip || desc->choice.scene ||
-           desc->choice.variant || desc->session || desc->time != 0 || desc->environment.path ||
-           desc->reference || desc->direct || desc->layer || desc->passes > 0 || desc->budget > 0 ||
-           (desc->technique && desc->technique != technique_default) ||
-           (desc->given && desc->given->count > 0);
-}
-
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     *viewer = (struct viewer){
         .desc = *desc,
-        .opening = {.is_given = is_given(desc)},
         .wish = {.technique = desc->technique ? desc->technique : technique_default,
                  .direct = desc->direct,
                  .settings = desc->settings,
@@ -343,8 +332,6 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
 /* The window goes first: threads and the driver may take seconds to end. */
 void viewer_end(struct viewer *viewer) {
     window_hide(viewer->host.window);
-    kept_save(viewer);
-    kept_free(viewer);
     loader_free(&viewer->opening.loader);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);

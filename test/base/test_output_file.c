@@ -179,7 +179,7 @@ TEST(session) {
     bool saved = session_save(&session, path);
     limit_files(RLIM_INFINITY);
     expect_refused(saved, path, "File too large");
-    check_ok("load", session_load(&session, path, NULL));
+    check_ok("load", session_load(&session, path));
     session.scene = path;
     expect_refused(session_save(&session, path), path, "it is the input");
     session_free(&session);

@@ -52,11 +52,8 @@ static void fuzz_session(const char *text) {
                               .camera = "0",
                               .lights = mem_strdup("0")};
     renderer_settings_init(&session.settings);
-    int left_out = 0;
-    if (session_load(&session, fuzz_file(text, strlen(text)), NULL))
+    if (session_load(&session, fuzz_file(text, strlen(text))))
         free(session_command(&session));
-    require(session_load(&session, fuzz_file(text, strlen(text)), &left_out));
-    free(session_command(&session));
     session_free(&session);
 }
 

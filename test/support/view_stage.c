@@ -480,8 +480,7 @@ int open_view_stage(void **state) {
     snprintf(stage.folder, sizeof stage.folder, "%s%s%s", folder[0] == '/' ? "" : stage.here,
              folder[0] == '/' ? "" : "/", folder);
     mkdir(stage.folder, 0777);
-    setenv("XDG_STATE_HOME", stage.folder, 1); /* not the user's own */
-    setenv("XDG_CACHE_HOME", stage.folder, 1);
+    setenv("XDG_CACHE_HOME", stage.folder, 1); /* not the user's own */
     /* For a binary that no scenes lie beside, as one with sanitizers. */
     shell("ln -sfn %s/scenes %s/scenes", stage.here, stage.folder);
     char *binary = realpath(binary_path(), NULL);

@@ -2,6 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
+#include <unistd.h>
+
 #define BOX "scenes/cornell-box.glb"
 
 static void check_idle(const char *what) {
@@ -50,6 +52,40 @@ TEST(sign) {
     assert_true(seen);
     check_same("and then", BOX " --technique instant-radiosity");
     assert_false(is_on_screen("compiling shaders \xe2\x80\xa6"));
+    end_viewer();
+}
+
+/* Ctrl S saves, and moves nothing however long it is held. */
+TEST(save_key) {
+    const char *path = form("%s/manylight.settings", stage.folder);
+    char camera[600];
+    start_empty_viewer("--size 100x740");
+    open_by_panel(BOX);
+    wait_for_scene("cornell-box.glb");
+    xdo("keydown ctrl keydown s sleep .5 keyup s keyup ctrl");
+    xdo("keydown alt keydown w sleep .5 keyup w keyup alt");
+    sync_viewer();
+    remove(path);
+    xdo("key ctrl+s");
+    for (int i = 0; i < PATIENCE_MS / 50 && access(path, R_OK) != 0; i++)
+        pause_ms(50);
+    read_setting("camera", camera, sizeof camera);
+    assert_string_equal(camera, "0");
+    end_viewer();
+}
+
+/* Measured at rest, and then with a caret: a twentieth of a core for some 100 thousand pixels. */
+TEST(caret) {
+    start_viewer(BOX, "");
+    press("open");
+    rest_mouse();
+    pause_ms(9000); /* messages go */
+    double before = used_seconds();
+    pause_ms(5000);
+    double share = (used_seconds() - before) / 5;
+    printf("    a caret: %.1f %% of a core, at most 5 %%\n", 100 * share);
+    assert_true(share <= .05);
+    xdo("key Escape");
     end_viewer();
 }
 

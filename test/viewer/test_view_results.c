@@ -5,7 +5,6 @@
 #include "view_inside.h"
 
 #include "renderer/settings.h"
-#include "viewer/files/kept.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/panel/panel.h"
 #include "viewer/picture/preset.h"
@@ -19,12 +18,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static int told_passes; /* --passes */
-
 static void begin(const char *scene) {
     const char *path = form("%s/%s", stage.here, scene);
-    begin_viewer(
-        &(struct viewer_desc){.scene = path, .width = 96, .height = 96, .passes = told_passes});
+    begin_viewer(&(struct viewer_desc){.scene = path, .width = 96, .height = 96});
 }
 
 /* The window gets another size, and is filled: minutes of tracing stay. */
@@ -233,7 +229,8 @@ TEST(timeline) {
     finish_viewer();
 }
 
-/* --- how scenes were left --------------------------------------------------------------------- */
+/* --- one scene after another ---------------------------------------------------------------------
+ */
 
 static void open_scene(const char *scene) {
     const char *path = form("%s/%s", stage.here, scene);
@@ -242,30 +239,19 @@ static void open_scene(const char *scene) {
     turn();
 }
 
-/* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others'
- * files. */
+/* Settings go from scene to scene, and the others' files do not. */
 TEST(second_scene) {
     begin("scenes/cornell-box.glb");
     check_ok("settings", settings_assign(&viewer.wish.settings, "vpls=32"));
     viewer.wish.passes = 4;
     snprintf(viewer.panel.session_path, sizeof viewer.panel.session_path, "a.settings");
+    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
     open_scene("scenes/three-lights.glb");
     printf("    %g virtual lights, settings in %s\n",
            settings_number(&viewer.wish.settings, "lights.vpls"), viewer.panel.session_path);
     assert_int_equal(settings_number(&viewer.wish.settings, "lights.vpls"), 32);
     assert_string_equal(viewer.panel.session_path, "manylight.settings");
-    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
-    open_scene("scenes/cornell-box.glb");
-    assert_true(viewer.kept.was_restored);
-    open_scene("scenes/three-lights.glb");
-    assert_true(viewer.kept.was_restored && viewer.placed.camera_moved);
-    kept_begin_afresh(&viewer);
-    printf("    afresh: %g virtual lights, %d passes\n",
-           settings_number(&viewer.wish.settings, "lights.vpls"), viewer.wish.passes);
-    assert_int_equal(settings_number(&viewer.wish.settings, "lights.vpls"), 64);
-    assert_int_equal(viewer.wish.passes, 0);
     assert_false(viewer.placed.camera_moved);
-    rest();
     finish_viewer();
 }
 
@@ -278,69 +264,6 @@ TEST(settings_name_no_clip) {
     assert_int_equal(viewer.wish.passes, 3);
     assert_false(is_message_told("", UI_ERROR));
     finish_viewer();
-}
-
-/* All but the sky is as it was left, and its file keeps the sky. */
-TEST(sky_is_gone) {
-    begin("scenes/sphere.glb");
-    const char *sky = form("%s/gone.hdr", stage.folder);
-    assert_int_equal(shell("cp %s/scenes/overcast.hdr %s", stage.here, sky), 0);
-    assert_true(viewer_open_sky(&viewer, sky));
-    turn_until(viewer.document.scene.environment);
-    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
-    rest();
-    finish_viewer();
-    assert_int_equal(shell("rm %s", sky), 0);
-    for (int i = 0; i < 2; i++) {
-        begin("scenes/sphere.glb");
-        printf("    restored %d, not all %d, camera moved %d, lights %d\n",
-               viewer.kept.was_restored, viewer.kept.is_incomplete, viewer.placed.camera_moved,
-               viewer.placed.emitters.count);
-        assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
-        assert_true(is_message_told("gone.hdr", UI_WARNING));
-        assert_true(viewer.placed.camera_moved && viewer.placed.emitters.count > 0);
-        finish_viewer();
-    }
-    assert_int_equal(
-        shell("grep -q 'environment = .*gone.hdr' %s/manylight/scenes/*.settings", stage.folder),
-        0);
-}
-
-/* Of another version's settings all is kept but what is unknown here, and its file stays until
- * something changes. */
-TEST(unknown_lines) {
-    begin("scenes/sphere.glb");
-    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
-    rest();
-    finish_viewer();
-    assert_int_equal(
-        shell("sed -i '1a clustered.distortion = 0.085\\ntechnique = radiosity\\nnonsense' "
-              "%s/manylight/scenes/*.settings",
-              stage.folder),
-        0);
-    for (int i = 0; i < 2; i++) {
-        begin("scenes/sphere.glb");
-        printf("    restored %d, not all %d, camera moved %d\n", viewer.kept.was_restored,
-               viewer.kept.is_incomplete, viewer.placed.camera_moved);
-        assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
-        assert_true(viewer.placed.camera_moved);
-        assert_true(is_message_told("3 lines", UI_WARNING));
-        finish_viewer();
-    }
-    assert_int_equal(shell("grep -q distortion %s/manylight/scenes/*.settings", stage.folder), 0);
-}
-
-/* An option means the scene that it came with, and no other. */
-TEST(options_mean_first_scene) {
-    told_passes = 2;
-    begin("scenes/cornell-box.glb"); /* it was left otherwise */
-    printf("    %d passes, restored %d\n", viewer.wish.passes, viewer.kept.was_restored);
-    assert_int_equal(viewer.wish.passes, 2);
-    assert_false(viewer.kept.on || viewer.kept.was_restored);
-    open_scene("scenes/gloss.glb");
-    assert_true(viewer.kept.on);
-    finish_viewer();
-    told_passes = 0;
 }
 
 /* --- without a window ------------------------------------------------------------------------- */

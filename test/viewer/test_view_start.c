@@ -1,4 +1,4 @@
-/* The first minute, by real input events: scenes as pictures to click, files to choose, a picture
+/* The first minute, by real input events: scenes to click, files to choose, a picture
  * that is exposed by itself. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
@@ -7,35 +7,8 @@
 
 #define SIZE "--size 240x740 "
 
-/* How many colours there are in a part of the screen about a place. */
-static int count_colors(int x, int y) {
-    OWNED(bitmap) screen = read_screen();
-    unsigned seen[64];
-    int count = 0;
-    for (int dy = -30; dy < 30; dy += 3)
-        for (int dx = -30; dx < 30; dx += 3) {
-            const unsigned char *p = pixel(&screen, x + dx, y + dy);
-            unsigned color = (unsigned)p[0] << 16 | (unsigned)p[1] << 8 | p[2];
-            int i = 0;
-            while (i < count && seen[i] != color)
-                i++;
-            if (i == count && count < 64)
-                seen[count++] = color;
-        }
-    return count;
-}
-
-/* Of the pictures the first that are on screen are made within half a minute. */
-TEST(gallery) {
+TEST(own_scenes) {
     start_empty_viewer(SIZE CHEAP_LIGHTS);
-    int x, y, colors = 0;
-    find_place("atrium", &x, &y);
-    for (int i = 0; i < 300 && colors < 12; i++) {
-        pause_ms(100);
-        colors = count_colors(x, y);
-    }
-    printf("    %d colours in the first scene's picture\n", colors);
-    assert_true(colors >= 12);
     press("cornell-box");
     wait_for_scene("cornell-box.glb");
     for (int i = 0; i < 200 && is_on_screen("Open a file ..."); i++)

@@ -5,7 +5,6 @@
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "scene/clips.h"
-#include "viewer/files/kept.h"
 #include "viewer/picture/picture.h"
 #include "viewer/reference/comparing.h"
 #include "viewer/reference/tracing.h"
@@ -99,7 +98,6 @@ static bool place_as_given(struct viewer *viewer) {
 
 static void forget_given(struct viewer *viewer) {
     struct viewer_desc *desc = &viewer->desc;
-    viewer->opening.is_given = false;
     desc->camera = desc->light = desc->clip = desc->session = NULL;
     desc->choice = (struct scene_choice){0};
     desc->environment = (struct environment_desc){0};
@@ -133,7 +131,7 @@ static void tell_what_stays(struct viewer *viewer) {
     if (again)
         messages_add(&viewer->host.messages, UI_NORMAL, "%s is read again.",
                      path_name(viewer->document.scene.path));
-    else if (changed && !viewer->kept.was_restored)
+    else if (changed)
         messages_add(&viewer->host.messages, UI_NORMAL,
                      "Technique and settings are those of the scene before.");
     if (compare->mode == COMPARE_TECHNIQUE)
@@ -166,11 +164,10 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     viewer_tell_sky(viewer);
 }
 
-/* The same file is looked at as before it changed; what outlives the window has seen to that where
- * it is on. */
+/* The same file is looked at as before it changed. */
 static void show_as_before(struct viewer *viewer, struct session *before) {
     before->scene = viewer->document.scene.path;
-    if (viewer->opening.reloading.on && !viewer->kept.on && !viewer_show_session(viewer, before))
+    if (viewer->opening.reloading.on && !viewer_show_session(viewer, before))
         viewer_tell_error(viewer);
     viewer->opening.reloading.on = false;
     session_free(before);
@@ -185,7 +182,6 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     struct session session_before = {0};
     if (viewer->opening.reloading.on)
         session_before = viewer_session(viewer);
-    kept_save(viewer);
     viewer->document = *document;
     viewer->placed = (struct placed){0};
     viewer_pick_camera(viewer, 0);
@@ -210,7 +206,6 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         take_away_before(viewer, &before, &placed_before.emitters);
     begin_scene(viewer, &renderer);
     const char *session = viewer->desc.session;
-    kept_begin(viewer);
     if (replaces)
         tell_what_stays(viewer);
     show_as_before(viewer, &session_before);

@@ -1,54 +1,66 @@
+#define _DEFAULT_SOURCE
 #include "viewer/files/start.h"
 
 #include "base/file/folder.h"
+#include "base/memory.h"
 #include "viewer/files/opening.h"
 #include "viewer/window/ui.h"
 
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Made when the window is empty, and gone when a scene is there. */
-static void fill_gallery(struct viewer *viewer) {
-    if (viewer->has_gallery)
-        return;
-    viewer->has_gallery = true;
-    gallery_add_own(&viewer->gallery);
-    gallery_start(&viewer->gallery, window_wake);
+static int is_scene(const struct dirent *entry) {
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot && strcmp(dot, ".glb") == 0;
 }
 
-static void title_of(const char *path, char *title, size_t size) {
-    const char *name = path_name(path);
-    snprintf(title, size, "%.*s", (int)strcspn(name, "."), name);
+static void add_folder(struct own_scenes *scenes, const char *folder) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, is_scene, alphasort);
+    for (int i = 0; i < count; i++) {
+        if (scenes->count < OWN_SCENES_MAX)
+            scenes->paths[scenes->count++] = mem_printf("%s/%s", folder, entries[i]->d_name);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
 }
 
-/* As many in a row as there is room for. */
-static void draw_items(struct viewer *viewer, float room) {
-    struct gallery *gallery = &viewer->gallery;
-    float line = ui_line_height(), gap = .6F * line;
-    int columns = (int)((room + gap) / (10 * line + gap)), shown = 0;
-    columns = columns < 1 ? 1 : columns;
-    for (int i = 0; i < gallery->count; i++) {
-        struct gallery_item *item = &gallery->items[i];
+/* Scenes of the first folder of the program that has some. */
+static void list_own(struct own_scenes *scenes) {
+    char *folder;
+    for (int n = 0; scenes->count == 0 && (folder = folder_of_program(n)); n++) {
+        char *path = mem_printf("%sscenes", folder);
+        add_folder(scenes, path);
+        mem_free(path, folder);
+    }
+    scenes->is_listed = true;
+}
+
+void start_free(struct viewer *viewer) {
+    for (int i = 0; i < viewer->own_scenes.count; i++)
+        free(viewer->own_scenes.paths[i]);
+}
+
+static void draw_own(struct viewer *viewer) {
+    struct own_scenes *scenes = &viewer->own_scenes;
+    if (!scenes->is_listed)
+        list_own(scenes);
+    if (scenes->count > 0)
+        ui_heading("scenes of the program");
+    for (int i = 0; i < scenes->count; i++) {
+        const char *path = scenes->paths[i], *name = path_name(path);
         char title[64];
-        if (atomic_load(&item->ready) < 0)
-            continue;
-        if (shown == 0)
-            ui_heading("scenes of the program");
-        else if (shown % columns != 0)
-            ui_same_line();
-        shown++;
-        title_of(item->path, title, sizeof title);
-        if (ui_tile(title, item->has_texture ? item->texture.id : 0, 10 * line, 7.5F * line,
-                    item->path))
-            viewer_open(viewer, item->path);
+        snprintf(title, sizeof title, "%.*s", (int)strcspn(name, "."), name);
+        if (ui_wide_button(title, path))
+            viewer_open(viewer, path);
     }
 }
 
 static void draw_start(struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
-    fill_gallery(viewer);
-    gallery_follow(&viewer->gallery);
     ui_area_begin("start", UI_PANEL, 0, 0, (float)area->width, (float)area->height);
     ui_text(UI_TITLE, "manylight");
     ui_text(UI_DIM,
@@ -56,7 +68,7 @@ static void draw_start(struct viewer *viewer) {
     ui_space();
     if (ui_button("Open a file ...", "Ctrl O"))
         viewer_ask_file(viewer);
-    draw_items(viewer, (float)area->width - 3 * ui_line_height());
+    draw_own(viewer);
     ui_area_end();
 }
 
@@ -95,10 +107,6 @@ void start_draw(struct viewer *viewer) {
     bool reads = viewer_is_opening(viewer);
     if (!viewer->has_scene && !reads && !viewer_is_scripted(viewer))
         draw_start(viewer);
-    if (viewer->has_scene && viewer->has_gallery) {
-        gallery_free(&viewer->gallery);
-        viewer->has_gallery = false;
-    }
     if (reads)
         draw_reading(viewer);
     take(viewer, file_dialog_poll(&viewer->dialog));

@@ -1,7 +1,6 @@
 #include "viewer/panel/panel.h"
 
 #include "shared/composite.h"
-#include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/files/start.h"

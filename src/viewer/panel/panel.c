@@ -4,7 +4,6 @@
 #include "base/file/output_file.h"
 #include "base/memory.h"
 #include "shared/composite.h"
-#include "viewer/files/kept.h"
 #include "viewer/picture/look.h"
 #include "viewer/picture/picture.h"
 #include "viewer/scene/sessions.h"

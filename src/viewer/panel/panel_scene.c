@@ -5,7 +5,6 @@
 #include "scene/animation.h"
 #include "scene/clips.h"
 #include "scene/node.h"
-#include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/scene/placed.h"
 
@@ -125,11 +124,6 @@ void panel_draw_scene(struct viewer *viewer) {
         viewer_take_file(viewer, viewer->panel.scene_path);
     if (!viewer->has_scene)
         return;
-    if (viewer->kept.was_restored &&
-        ui_wide_button("Afresh",
-                       "it is as you left it; this puts camera, lights and settings back to "
-                       "what its file has"))
-        kept_begin_afresh(viewer);
     const struct scene *scene = &viewer->document.scene;
     int camera = viewer->placed.camera_number;
     struct ui_row row = {.name = "camera",

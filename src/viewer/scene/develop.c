@@ -32,12 +32,6 @@ static double *read_luminances(const struct image *image, size_t *number) {
     return values;
 }
 
-bool develop_is_black(const struct image *image) {
-    size_t count;
-    free(read_luminances(image, &count));
-    return count == 0;
-}
-
 double develop_highlight(const struct image *image) {
     size_t count;
     double *values = read_luminances(image, &count), highlight = 0;

@@ -12,9 +12,6 @@ float develop_exposure(const struct image *image);
  * picture. */
 double develop_highlight(const struct image *image);
 
-/* Returns true if no pixel shows light. */
-bool develop_is_black(const struct image *image);
-
 /* Applies exposure (EV) and the filmic tone map. The caller frees the bitmap. */
 void develop_picture(const struct image *image, float exposure, struct bitmap *bitmap);
 

@@ -35,13 +35,6 @@ void viewer_begin_exposure(struct viewer *viewer) {
     viewer->exposing.after_frame = viewer->shown.frame_count;
 }
 
-void viewer_keep_exposure(struct viewer *viewer) {
-    const struct picture_settings *picture =
-        settings_of(struct picture_settings, &viewer->wish.settings, &picture_part);
-    viewer->exposing.usual = picture->exposure;
-    viewer->exposing.waits = false;
-}
-
 /* Where nearly nothing is seen as the scene begins, as behind a door that is shut, what leaks past
  * it is not to be exposed: then the middle of its clip is shown. Whether it was. */
 static bool skip_darkness(struct viewer *viewer, const struct image *picture) {

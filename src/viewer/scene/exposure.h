@@ -9,9 +9,6 @@
 void viewer_begin_exposure(struct viewer *viewer);
 void viewer_follow_exposure(struct viewer *viewer);
 
-/* Keeps the present exposure as the one that the scene began with. */
-void viewer_keep_exposure(struct viewer *viewer);
-
 /* viewer_expose changes the exposure by stops. viewer_reset_exposure returns to the scene's
  * first one. */
 void viewer_expose(struct viewer *viewer, float by);

@@ -243,7 +243,7 @@ static bool read_line(struct session *session, char *line, bool *sky) {
            setting_parse(&setting, &session->settings, value);
 }
 
-bool session_load(struct session *session, const char *path, int *left_out) {
+bool session_load(struct session *session, const char *path) {
     FILE *file = fopen(path, "r");
     if (!file)
         return error_set("cannot read %s: %s", path, strerror(errno));
@@ -259,15 +259,8 @@ bool session_load(struct session *session, const char *path, int *left_out) {
     char *line = NULL;
     size_t room = 0;
     bool ok = true, has_sky = false;
-    int skipped = 0;
     for (int number = 1; ok && getline(&line, &room, file) >= 0; number++)
-        if (!read_line(&read, line, &has_sky)) {
-            error_prefix("%s:%d", path, number);
-            ok = left_out;
-            skipped++;
-        }
-    if (left_out)
-        *left_out = skipped;
+        ok = read_line(&read, line, &has_sky) || error_prefix("%s:%d", path, number);
     free(line);
     fclose(file);
     if (!has_sky) { /* the scene's stays as it is */

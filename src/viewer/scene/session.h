@@ -54,9 +54,8 @@ char *session_command(const struct session *session);
  * camera, views, lights, sky, and settings that differ from their defaults. */
 bool session_save(const struct session *session, const char *path);
 
-/* Reads a file; other settings get their defaults. Skips and counts lines that it cannot read,
- * such as settings of another version; the error names file and line of the last. left_out NULL:
- * any such line is an error, and nothing changes. Error: the file cannot be read. */
-bool session_load(struct session *session, const char *path, int *left_out);
+/* Reads a file; other settings get their defaults. Error: names the file, and the line that cannot
+ * be read; nothing changes. */
+bool session_load(struct session *session, const char *path);
 
 #endif

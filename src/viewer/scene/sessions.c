@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700
 #include "viewer/scene/sessions.h"
 
 #include "scene/clips.h"
@@ -8,6 +9,7 @@
 #include "viewer/scene/sky.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Camera and lights by texts; those that are not understood stay what they were. */
@@ -59,13 +61,31 @@ bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     return viewer_show_sky(viewer, session) && place(viewer, session->camera, session->lights);
 }
 
+void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path) {
+    char *whole = ok ? realpath(path, NULL) : NULL;
+    if (ok)
+        messages_add_result(&viewer->host.messages, "saved: %s", whole ? whole : path);
+    else
+        viewer_tell_error(viewer);
+    free(whole);
+}
+
+void viewer_save_session(struct viewer *viewer) {
+    if (!viewer->has_scene)
+        return;
+    struct session session = viewer_session(viewer);
+    viewer_tell_saved(viewer, session_save(&session, viewer->panel.session_path),
+                      viewer->panel.session_path);
+    session_free(&session);
+}
+
 bool viewer_load_session(struct viewer *viewer, const char *path) {
     if (!viewer->has_scene) {
         messages_add(&viewer->host.messages, UI_WARNING, "Open a scene, then its settings.");
         return false;
     }
     struct session session = viewer_session(viewer);
-    bool ok = session_load(&session, path, NULL) && viewer_show_session(viewer, &session);
+    bool ok = session_load(&session, path) && viewer_show_session(viewer, &session);
     if (ok && path != viewer->panel.session_path)
         snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, "%s", path);
     if (!ok)

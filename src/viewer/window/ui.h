@@ -161,9 +161,6 @@ bool ui_button(const char *name, const char *help);
 /* Draws a button as wide as the area. Returns true if it was pressed. */
 bool ui_wide_button(const char *name, const char *help);
 
-/* Draws a picture with a name below it. texture 0: none yet. Returns true if it was clicked. */
-bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help);
-
 /* Draws buttons side by side, one of them on. Returns true if another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
 

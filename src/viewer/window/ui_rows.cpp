@@ -190,25 +190,6 @@ bool ui_wide_button(const char *name, const char *help) {
 }
 
 /* The texture's row 0 is the lowest. */
-bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help) {
-    ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + width, at.y + height);
-    ImDrawList *list = ImGui::GetWindowDrawList();
-    bool clicked =
-        ImGui::InvisibleButton(help, ImVec2(width, height + 1.6F * ImGui::GetTextLineHeight()));
-    look_mark(name);
-    look_explain(help);
-    list->AddRectFilled(at, end, raised, units(.25F));
-    if (texture)
-        list->AddImageRounded((ImTextureID)(intptr_t)texture, at, end, ImVec2(0, 1), ImVec2(1, 0),
-                              IM_COL32_WHITE, units(.25F)); /* a pointer until 1.91 */
-    if (ImGui::IsItemHovered())
-        list->AddRect(at, end, accent, units(.25F), 0, units(.12F));
-    ImGui::PushClipRect(at, ImVec2(end.x, end.y + 2 * units(1)), true);
-    list->AddText(ImVec2(at.x, end.y + units(.2F)), text_color, look_read(name));
-    ImGui::PopClipRect();
-    return clicked;
-}
-
 /* What each of so many buttons has beside its name, where the names and their gaps fill a line. */
 static float beside_names(const char *const *names, int count, float gap) {
     float left = ImGui::GetContentRegionAvail().x - gap * (float)(count - 1);
