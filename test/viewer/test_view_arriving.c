@@ -169,19 +169,17 @@ TEST(fails_after_reading) {
     viewer.wish.direct = &refused;
     viewer.desc.light = "0";
     viewer.desc.time = 1;
-    viewer.opening.is_given = true;
     viewer_open(&viewer, "scenes/moving-spot.glb");
     wait_for_arrival();
     turn_until(viewer.opening.preview.has_texture);
     atomic_store(&may_end, true);
     turn_until(!viewer_is_opening(&viewer));
-    printf("    after it has failed: coarse picture %d, told %d, at %g s\n",
-           viewer.opening.preview.has_texture, viewer.opening.is_given, (double)viewer.desc.time);
+    printf("    after it has failed: coarse picture %d, at %g s\n",
+           viewer.opening.preview.has_texture, (double)viewer.desc.time);
     assert_true(is_message_told("no memory for these shadows", UI_ERROR));
     assert_true(viewer.has_scene);
     assert_non_null(strstr(viewer.document.scene.path, "metaballs"));
     assert_false(viewer.opening.preview.has_texture);
-    assert_false(viewer.opening.is_given);
     assert_null(viewer.desc.light);
     assert_true(viewer.desc.time == 0);
     viewer.wish.direct = NULL;
