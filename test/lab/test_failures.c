@@ -72,6 +72,26 @@ TEST(bounds_break) {
     }
 }
 
+/* The reference and each column that was measured are layers of one file. */
+TEST(pictures) {
+    static const struct text_list settings = {{SMALL}, 1};
+    struct failure_desc desc = small_desc(*state, &settings);
+    struct results results = {0};
+    OWNED(image) all;
+    desc.columns = 1U << FAST | 1U << UNSHADOWED;
+    desc.pictures = scratch("pictures");
+    check_ok("room", failure_measure(&results, failure_row_find("room"), &desc));
+    check_ok("read", image_read(&all, scratch("pictures/room.exr")));
+    assert_int_equal(all.channel_count, 9);
+    int lit[3], fast[3], open[3];
+    check_ok("reference", image_find_layer(&all, "", lit));
+    check_ok("fast", image_find_layer(&all, "fast", fast));
+    check_ok("unshadowed", image_find_layer(&all, "unshadowed", open));
+    check_near("fast", image_mean(&all, fast) / image_mean(&all, lit), 1, .1);
+    assert_true(image_mean(&all, open) > image_mean(&all, fast)); /* nothing hides light */
+    results_free(&results);
+}
+
 /* A row that is not there is named with those that are. */
 TEST(names) {
     assert_null(failure_row_find("no-such-row"));

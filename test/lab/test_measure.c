@@ -4,7 +4,6 @@
 
 #include "lab/measure/clip.h"
 #include "lab/measure/baseline.h"
-#include "lab/measure/panels.h"
 #include "lab/measure/reference.h"
 #include "lab/measure/variants.h"
 #include "inspect/aov.h"
@@ -311,44 +310,6 @@ TEST_WITH(flicker, open_group_context, close_group_context) {
                     value_of(&results, "memory", when[i], "resident-memory"));
     free(subjects.items);
     results_free(&results);
-}
-
-/* The reference and two tests, of which one is left empty, above their differences. */
-TEST(panels) {
-    struct image reference, tests[2] = {{0}}, read;
-    const char *path = scratch("panels.png");
-    image_init(&reference, 40, 30, "R G B");
-    image_init(&tests[1], 40, 30, "R G B");
-    for (int i = 0; i < 40 * 30 * 3; i++)
-        reference.pixels[i] = 1, tests[1].pixels[i] = i % 2 ? 2 : INFINITY;
-    check_ok(path, panels_write(path, "PANELS", &reference, tests, 2));
-    check_ok(path, image_read(&read, path));
-    int zoom = read.width / (3 * 40 + 2 * 2), row = zoom * 15;
-    const float *left = image_at(&read, zoom * 20, row);
-    printf("    %d x %d, reference %.3f, empty %.3f\n", read.width, read.height, (double)left[0],
-           (double)image_at(&read, zoom * 60, row)[0]);
-    assert_true(zoom > 0 && read.height > 2 * 30 * zoom);
-    check_near("the reference is a middle grey", (double)left[0], .537, .01);
-    assert_true(image_at(&read, zoom * 60, row)[0] == 0);
-    assert_true(image_at(&read, zoom * 104, row)[1] > left[1]);
-    images_free(&reference, &tests[1], &read);
-}
-
-/* Beside a black reference differences are not over its mean; what is not finite has no colour. */
-TEST(odd_panels) {
-    struct image reference, tests[2];
-    for (int i = 0; i < 3; i++)
-        image_init(i ? &tests[i - 1] : &reference, 4, 3, "R G B");
-    tests[0].pixels[5] = NAN;
-    tests[1].pixels[0] = 1;
-    check_ok("of a black reference",
-             panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
-    for (int i = 0; i < 36; i++)
-        reference.pixels[i] = .5F;
-    image_free(&tests[1]);
-    check_ok("of a grey one", panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
-    check_refused(panels_write(scratch("none/panels.png"), "a b", &reference, tests, 2), "");
-    images_free(&reference, &tests[0]);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "base/file/folder.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "lab/measure/errors.h"
-#include "lab/measure/panels.h"
 #include "lab/measure/variants.h"
 #include "metrics/errors.h"
 #include "metrics/layer.h"
@@ -123,12 +123,30 @@ static bool measure(struct results *results, struct run *run, int column) {
     return ok;
 }
 
-static bool draw(const struct run *run) {
-    if (!run->desc->pictures)
-        return true;
-    char *path = mem_printf("%s/%s.png", run->desc->pictures, run->row->name);
-    bool ok = folder_make_for(path) &&
-              panels_write(path, run->row->name, &run->reference, run->tests, FAILURE_COLUMNS);
+/* Adds a picture of three channels as a layer. */
+static void add_layer(struct image *all, const char *name, const struct image *picture) {
+    char *names = mem_printf("%s.R %s.G %s.B", name, name, name);
+    int first = all->channel_count;
+    image_add_channels(all, names);
+    for (int y = 0; y < all->height; y++)
+        for (int x = 0; x < all->width; x++)
+            memcpy(image_at(all, x, y) + first, image_at(picture, x, y), 3 * sizeof(float));
+    free(names);
+}
+
+/* The reference, and a layer for each column. */
+static bool write_pictures(const struct run *run) {
+    struct image all = image_copy(&run->reference);
+    for (int i = 0; i < FAILURE_COLUMNS; i++)
+        if (run->tests[i].pixels) {
+            char *name =
+                mem_printf("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
+            add_layer(&all, name, &run->tests[i]);
+            free(name);
+        }
+    char *path = mem_printf("%s/%s.exr", run->desc->pictures, run->row->name);
+    bool ok = folder_make_for(path) && image_write(&all, path);
+    image_free(&all);
     free(path);
     return ok;
 }
@@ -142,7 +160,7 @@ static bool measure_all(struct results *results, struct run *run) {
     for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
         ok = !is_asked(run, i) || measure(results, run, i) ||
              error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
-    return ok && draw(run) && results_commit(results);
+    return ok && (!run->desc->pictures || write_pictures(run)) && results_commit(results);
 }
 
 bool failure_measure(struct results *results, const struct failure_row *row,
