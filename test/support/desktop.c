@@ -111,43 +111,6 @@ bool desktop_read_hints(unsigned long window, int *width, int *height) {
     return ok;
 }
 
-static int count_colors(const unsigned long *pixels, int count) {
-    unsigned long seen[64];
-    int colors = 0;
-    for (int i = 0; i < count; i++) {
-        int k = 0;
-        while (k < colors && seen[k] != pixels[i])
-            k++;
-        if (k == colors && colors < 64)
-            seen[colors++] = pixels[i];
-    }
-    return colors;
-}
-
-/* _NET_WM_ICON: width, height and ARGB of one after another, a long each. */
-bool desktop_read_icon(unsigned long window, int *width, int *colors) {
-    Display *display = XOpenDisplay(NULL);
-    Atom type;
-    int format;
-    unsigned long count = 0, left;
-    unsigned char *data = NULL;
-    if (!display)
-        return false;
-    XGetWindowProperty(display, window, XInternAtom(display, "_NET_WM_ICON", False), 0, 1 << 20,
-                       False, XA_CARDINAL, &type, &format, &count, &left, &data);
-    const unsigned long *words = (const unsigned long *)data;
-    *width = *colors = 0;
-    for (unsigned long at = 0; at + 2 < count; at += 2 + words[at] * words[at + 1])
-        if ((int)words[at] > *width) {
-            *width = (int)words[at];
-            *colors = count_colors(words + at + 2, (int)(words[at] * words[at + 1]));
-        }
-    if (data)
-        XFree(data);
-    XCloseDisplay(display);
-    return *width > 0;
-}
-
 bool desktop_read_clipboard(char *text, size_t size) {
     struct source reader = {.display = XOpenDisplay(NULL)};
     if (!reader.display)

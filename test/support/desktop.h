@@ -17,10 +17,8 @@ bool desktop_drop(unsigned long window, const char *path);
 /* Minimises it, or shows it again, as a window manager does. */
 bool desktop_minimise(unsigned long window, bool away);
 
-/* What it tells the window manager: the least size that it may have, and the width of its largest
- * icon, with how many colours that has. False: it does not. */
+/* The least size of the window, as it tells the window manager. False: it does not. */
 bool desktop_read_hints(unsigned long window, int *width, int *height);
-bool desktop_read_icon(unsigned long window, int *width, int *colors);
 
 /* The text that was copied last. False: there is none. */
 bool desktop_read_clipboard(char *text, size_t size);

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "viewer/window/icon.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -117,22 +116,6 @@ static void set_callbacks(struct window *window) {
     glfwSetDropCallback(window->handle, on_drop);
 }
 
-/* A taskbar takes the one that it has room for. Wayland has no icons of windows, and GLFW
- * says so. */
-static void set_icon(struct window *window) {
-    enum { ICONS = 3 };
-    static const int sizes[ICONS] = {16, 48, 128};
-    GLFWimage images[ICONS];
-    for (int i = 0; i < ICONS; i++) {
-        images[i] =
-            (GLFWimage){sizes[i], sizes[i], mem_alloc((size_t)(4 * sizes[i]), (size_t)sizes[i])};
-        icon_draw(images[i].pixels, sizes[i]);
-    }
-    glfwSetWindowIcon(window->handle, ICONS, images);
-    for (int i = 0; i < ICONS; i++)
-        free(images[i].pixels);
-}
-
 /* Smaller, not even the times have room; a window that was asked to be smaller may stay so. */
 static void limit_size(struct window *window) {
     enum { LEAST_WIDTH = 320, LEAST_HEIGHT = 240 };
@@ -176,7 +159,6 @@ struct window *window_create(const struct window_desc *desc) {
     glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(1);
     set_callbacks(window);
-    set_icon(window);
     limit_size(window);
     glfwGetCursorPos(window->handle, &window->next.x, &window->next.y);
     to_pixels(window->handle, &window->next.x, &window->next.y);
