@@ -154,8 +154,7 @@ static bool has_news(struct viewer *viewer) {
                 preview_has_news(&viewer->opening.preview) ||
                 (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
-                reference_tracer_has_news(&viewer->tracing.tracer) ||
-                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer;
+                reference_tracer_has_news(&viewer->tracing.tracer) || viewer->dialog.answer;
     host->message_count = count;
     host->newest_message = newest;
     return news;

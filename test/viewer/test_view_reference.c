@@ -67,44 +67,6 @@ TEST(error) {
     reference_tracer_pause(&viewer.tracing.tracer, false);
 }
 
-/* Measured while the window goes on; its value stays when another map is drawn, and comes back with
- * the picture. */
-TEST(flip) {
-    struct compare *compare = &viewer.shown.compare;
-    OWNED(image) frame = {0}, shown;
-    const int flip = (int)(metric_find("ldr-flip") - metrics);
-    if (!stage.server)
-        skip();
-    reference_tracer_pause(&viewer.tracing.tracer, true);
-    rest();
-    compare->flip = true;
-    compare->measured = false;
-    turn_until(compare->is_known[flip]);
-    check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
-    check_ok("picture", layer_extract(&shown, &frame, ""));
-    const struct comparison comparison = {.test = &shown,
-                                          .reference = &compare->reference.layer,
-                                          .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE};
-    double by_hand = metric_measure(&metrics[flip], &comparison, NULL);
-    check_near(metrics[flip].name, compare->values[flip], by_hand, 1e-9);
-    compare->heat = true;
-    compare->heat_drawn = false;
-    turn_until(compare->heat_map.id);
-    assert_true(compare->is_known[flip]);
-    compare->heat_metric = flip;
-    compare->heat_drawn = false;
-    turn_until(compare->heat_scale.title == metrics[flip].name && compare->heat_map.id);
-    compare->heat = false;
-    viewer_touch(&viewer);
-    turn();
-    turn();
-    rest();
-    turn_until(compare->is_known[flip]);
-    assert_true(compare->values[flip] == by_hand);
-    compare->flip = false;
-    reference_tracer_pause(&viewer.tracing.tracer, false);
-}
-
 /* Another view ends the tracing; taken back, it is the traced one again. */
 TEST(other_view) {
     if (!stage.server)

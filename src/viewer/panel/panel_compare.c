@@ -25,8 +25,8 @@ static void draw_layout(struct viewer *viewer) {
 /* --- how far they are apart --- */
 
 static void draw_metric(const struct compare *compare, int i, const char *name, bool percent) {
-    if (!compare->measured || !compare->is_known[i])
-        ui_fact(name, metrics[i].help, "%s", measuring_is_slow(i) && compare->flip ? "..." : "-");
+    if (!compare->measured || !compare->has_values)
+        ui_fact(name, metrics[i].help, "-");
     else if (percent)
         ui_fact(name, metrics[i].help, "%.1f %%", 100 * compare->values[i]);
     else
@@ -43,7 +43,7 @@ static const char *layer_title(int layer) {
                                      : "errors of all light";
 }
 
-/* The three that say most; the first as everywhere in the panel. */
+/* The two that say most; the first as everywhere in the panel. */
 static void draw_main_errors(const struct viewer *viewer) {
     const struct compare *compare = &viewer->shown.compare;
     double error, noise = viewer_reference_noise(viewer);
@@ -60,18 +60,24 @@ static void draw_main_errors(const struct viewer *viewer) {
     else
         ui_fact("error", help, "-");
     draw_metric(compare, index_of("relative-bias"), "brighter by", true);
-    draw_metric(compare, index_of("ldr-flip"), "FLIP", false);
 }
 
 static void draw_heat(struct compare *compare) {
     const char *names[METRIC_COUNT];
+    int of[METRIC_COUNT], count = 0, chosen = 0;
     for (int i = 0; i < METRIC_COUNT; i++)
-        names[i] = metrics[i].name;
+        if (compare_has_metric(i)) {
+            chosen = i == compare->heat_metric ? count : chosen;
+            of[count] = i;
+            names[count++] = metrics[i].name;
+        }
     struct ui_row heat = {.name = "heat map", .help = "errors in place of the left picture"},
                   metric = {.name = "of", .help = metrics[compare->heat_metric].help};
     enum ui_result result = ui_flag(&heat, &compare->heat);
-    if (compare->heat && ui_choice(&metric, &compare->heat_metric, names, METRIC_COUNT))
+    if (compare->heat && ui_choice(&metric, &chosen, names, count)) {
+        compare->heat_metric = of[chosen];
         result = UI_CHANGED;
+    }
     if (result)
         compare->heat_drawn = false;
 }
@@ -80,15 +86,11 @@ static void draw_errors(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
     ui_heading(layer_title(viewer->shown.layer));
     draw_main_errors(viewer);
-    if (ui_flag(&(struct ui_row){.name = "measure FLIP",
-                                 .help = "and all that look at neighbourhoods: they come a while "
-                                         "after the others"},
-                &compare->flip))
-        compare->measured = false;
     draw_heat(compare);
     if (ui_section("All metrics", false))
         for (int i = 0; i < METRIC_COUNT; i++)
-            draw_metric(compare, i, metrics[i].name, false);
+            if (compare_has_metric(i))
+                draw_metric(compare, i, metrics[i].name, false);
 }
 
 /* --- all together --- */

@@ -15,7 +15,6 @@ void compare_forget(struct compare *compare) {
 
 void compare_free(struct compare *compare) {
     compare_forget(compare);
-    measuring_stop(&compare->measuring);
     reference_free(&compare->reference);
     texture_free(&compare->heat_map);
 }
@@ -93,74 +92,50 @@ static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) 
     return ok;
 }
 
-/* By the errors of each pixel. */
-static bool draw_heat_map(struct compare *compare, int width, int height, const float *values) {
+static bool draw_heat(struct compare *compare, const struct comparison *comparison) {
     const struct metric *metric = &metrics[compare->heat_metric];
+    int width = comparison->reference->width, height = comparison->reference->height;
+    size_t count = (size_t)width * (size_t)height;
     struct bitmap picture;
+    compare->heat_drawn = true;
+    texture_free(&compare->heat_map);
+    if (!compare->heat)
+        return true;
+    float *values = mem_alloc(count, sizeof *values);
+    metric_measure(metric, comparison, values);
     struct heat_map map = {
         .title = metric->name,
         .width = width,
         .height = height,
         .values = values,
-        .top = metric->range == RANGE_UNIT
-                   ? 1
-                   : heat_map_fit_top(values, (size_t)width * (size_t)height),
+        .top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(values, count),
         .is_signed = metric->range == RANGE_SIGNED,
     };
     heat_map_draw_values(&map, &picture);
+    free(values);
     map.values = NULL;
     compare->heat_scale = map;
-    texture_free(&compare->heat_map);
     bool ok = texture_init_bitmap(&compare->heat_map, "heat map", &picture);
     bitmap_free(&picture);
     return ok;
 }
 
-/* Where the metric looks at neighbourhoods there is no map until it has been measured. */
-static bool draw_heat(struct compare *compare, const struct comparison *comparison) {
-    int width = comparison->reference->width, height = comparison->reference->height;
-    compare->heat_drawn = true;
-    texture_free(&compare->heat_map);
-    if (!compare->heat || measuring_is_slow(compare->heat_metric))
-        return true;
-    float *values = mem_alloc((size_t)width * (size_t)height, sizeof *values);
-    metric_measure(&metrics[compare->heat_metric], comparison, values);
-    bool ok = draw_heat_map(compare, width, height, values);
-    free(values);
-    return ok;
+bool compare_has_metric(int metric) {
+    return metrics[metric].pixel_error != NULL;
 }
 
-static void forget_slow(struct compare *compare) {
-    for (int i = 0; i < METRIC_COUNT; i++)
-        compare->is_known[i] &= !measuring_is_slow(i);
-}
-
-static bool measure(struct compare *compare, const struct comparison *comparison,
-                    void (*wake)(void)) {
+static bool measure(struct compare *compare, const struct comparison *comparison) {
     const struct image *test = comparison->test, *reference = comparison->reference;
-    bool wants_map = compare->heat && measuring_is_slow(compare->heat_metric);
     if (test->width != reference->width || test->height != reference->height)
         return error_set("the reference is %dx%d, the picture %dx%d", reference->width,
                          reference->height, test->width, test->height);
-    if (!compare->measured)
-        forget_slow(compare);
     for (int i = 0; i < METRIC_COUNT && !compare->measured; i++)
-        if (!measuring_is_slow(i)) {
-            compare->is_known[i] = true;
+        if (compare_has_metric(i))
             compare->values[i] = metric_measure(&metrics[i], comparison, NULL);
-        }
-    bool wants_slow = wants_map || (compare->flip && !compare->measured);
-    if (!draw_heat(compare, comparison))
-        return false;
-    compare->measures_again =
-        (wants_slow || !compare->measured) && measuring_cancel(&compare->measuring);
-    return !wants_slow || compare->measures_again ||
-           measuring_start(&compare->measuring, comparison, wants_map ? compare->heat_metric : -1,
-                           wake);
+    return draw_heat(compare, comparison);
 }
 
-bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
-                     void (*wake)(void)) {
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer) {
     struct image left, right = {0};
     bool ok = read_layer(renderer, layer, &left);
     if (ok && compare->mode == COMPARE_TECHNIQUE)
@@ -168,33 +143,11 @@ bool compare_measure(struct compare *compare, struct renderer *renderer, int lay
     const struct comparison comparison = {
         .test = &left,
         .reference = compare->mode == COMPARE_TECHNIQUE ? &right : &compare->reference.layer,
-        .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE,
     };
-    ok = ok && measure(compare, &comparison, wake);
+    ok = ok && measure(compare, &comparison);
     compare->measured = compare->heat_drawn = true;
-    if (!ok) {
-        memset(compare->is_known, 0, sizeof compare->is_known);
-        compare->heat = false;
-    }
+    compare->has_values = ok;
+    compare->heat &= ok;
     images_free(&left, &right);
     return ok;
-}
-
-/* Of a picture that is not shown any more it is dropped. */
-bool compare_follow_measuring(struct compare *compare) {
-    struct measuring *measuring = &compare->measuring;
-    if (!measuring_has_news(measuring))
-        return false;
-    bool is_shown = compare->measured && compare->mode != COMPARE_OFF && !compare->measures_again;
-    for (int i = 0; i < METRIC_COUNT && is_shown; i++)
-        if (measuring_is_slow(i)) {
-            compare->is_known[i] = true;
-            compare->values[i] = measuring->values[i];
-        }
-    if (is_shown && measuring->map && compare->heat && compare->heat_metric == measuring->map_of)
-        draw_heat_map(compare, measuring->test.width, measuring->test.height, measuring->map);
-    measuring_stop(measuring);
-    compare->measured &= !compare->measures_again;
-    compare->measures_again = false;
-    return is_shown;
 }

@@ -6,7 +6,6 @@
 #include "metrics/heat_map.h"
 #include "metrics/metric.h"
 #include "renderer/renderer.h"
-#include "viewer/picture/measuring.h"
 #include "viewer/picture/reference.h"
 
 enum compare_mode { COMPARE_OFF, COMPARE_TECHNIQUE, COMPARE_REFERENCE, COMPARE_MODES };
@@ -17,7 +16,6 @@ struct compare {
     bool only_right; /* show the right picture alone */
     bool heat;       /* show a map of errors in place of the left picture */
     int heat_metric; /* index into metrics */
-    bool flip;       /* also measure metrics of neighbourhoods, once the picture rests */
 
     /* For COMPARE_TECHNIQUE: the right picture's own. */
     const struct technique *technique;
@@ -29,11 +27,9 @@ struct compare {
 
     /* Errors of the left picture against the right one, at its last rest. */
     bool measured;
-    bool heat_drawn; /* the map is drawn, or will be once its metric is measured */
-    double values[METRIC_COUNT];
-    bool is_known[METRIC_COUNT]; /* always true for metrics of single pixels */
-    struct measuring measuring;  /* metrics of neighbourhoods */
-    bool measures_again;         /* begin again once the measuring of an older picture ends */
+    bool has_values; /* false: they could not be measured */
+    bool heat_drawn;
+    double values[METRIC_COUNT]; /* only of metrics with compare_has_metric */
     struct heat_map heat_scale;  /* scale without values */
     struct texture heat_map;
 };
@@ -57,13 +53,11 @@ bool compare_render(struct compare *compare);
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer);
 
-/* Measures the errors and draws the map. Starts the metrics of neighbourhoods if wanted; another
- * thread then calls `wake`, and compare_follow_measuring takes the results. Error: different
- * sizes, or a value that is not finite. */
-bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
-                     void (*wake)(void));
+/* Returns true for metrics of single pixels: those of neighbourhoods, such as FLIP, take too long
+ * here. */
+bool compare_has_metric(int metric);
 
-/* Takes new results of measuring. Returns true if there were any. */
-bool compare_follow_measuring(struct compare *compare);
+/* Measures the errors and draws the map. Error: different sizes, or a value that is not finite. */
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer);
 
 #endif

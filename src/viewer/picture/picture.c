@@ -376,7 +376,7 @@ static void measure(struct viewer *viewer) {
     if (!shown->right || (!at_rest && !viewer_is_scripted(viewer)) ||
         (compare->measured && compare->heat_drawn))
         return;
-    if (!compare_measure(compare, &shown->renderer, shown->layer, window_wake))
+    if (!compare_measure(compare, &shown->renderer, shown->layer))
         viewer_tell_error(viewer);
     shown->recompose = true; /* reading layers used the display's framebuffer state */
 }
@@ -407,8 +407,6 @@ bool viewer_update_picture(struct viewer *viewer) {
         return false;
     compose(viewer);
     measure(viewer);
-    if (compare_follow_measuring(&viewer->shown.compare))
-        viewer->shown.recompose = true;
     follow_pick(viewer);
     return true;
 }

@@ -89,7 +89,7 @@ bool viewer_compared_error(const struct viewer *viewer, double *error) {
     const struct compare *compare = &viewer->shown.compare;
     int metric = (int)(metric_find("relative-rmse") - metrics);
     bool is_reference = compare->mode == COMPARE_REFERENCE;
-    if (!compare->measured || !compare->is_known[metric])
+    if (!compare->measured || !compare->has_values)
         return false;
     *error =
         without_noise(compare->values[metric], is_reference ? viewer_reference_noise(viewer) : 0);
