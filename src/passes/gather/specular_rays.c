@@ -14,7 +14,7 @@ static bool init_program(struct specular_rays_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *defines = mem_printf("%s%s%s%sRECEIVERS %d;LATER %d;LIGHTS %d;MAP_KINDS %d",
+    char *defines = mem_printf("%s%s%s%sRECEIVERS %d;ADDS_LATER %d;LIGHTS %d;MAP_KINDS %d",
                                light_defines(pass->desc.medium, pass->desc.slides),
                                lights->sky ? "HAS_SKY;" : "", lights->many ? "HAS_SAMPLED;" : "",
                                pass->desc.by_importance ? "BY_IMPORTANCE;" : "", RECEIVERS_ALL,

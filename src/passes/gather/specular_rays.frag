@@ -64,7 +64,7 @@ vec3 pixel_albedo(ivec2 pixel) {
 // The indirect light that the surface sends, by the frame's irradiance there. Where the camera does not see the
 // surface, the receiver's irradiance stands for it.
 vec3 sent_later(vec3 albedo, ivec2 pixel) {
-#if LATER
+#if ADDS_LATER
     return albedo * texelFetch(irradiance, pixel, 0).rgb * (INVERSE_PI / params.scale);
 #else
     return vec3(0.0);
