@@ -39,15 +39,17 @@ static const struct arguments arguments = {
     .max_positional = PICTURES_MAX,
 };
 
-/* What a channel's mean is weighted by: those of its pixel at these channels; -1: none. */
+/* Channels of its pixel that weight a channel's mean; -1: none. Coverage counts panes, so it weights
+ * only where the pixel has a surface, which `depth` tells. */
 struct weighting {
-    int albedo, coverage;
+    int albedo, coverage, depth;
 };
 
 /* As src/passes/picture/layer_shown.glsl. */
 static double weight_of(const struct weighting *by, const float *pixel) {
     const double least = 1e-6;
-    double coverage = by->coverage < 0 ? 1 : (double)pixel[by->coverage];
+    bool present = by->depth < 0 || pixel[by->depth] > 0;
+    double coverage = by->coverage < 0 ? 1 : present ? (double)pixel[by->coverage] : 0;
     return by->albedo < 0 ? coverage : (double)pixel[by->albedo] + least * coverage;
 }
 
@@ -58,9 +60,11 @@ static bool starts_with(const char *text, const char *start) {
 static bool find_weighting(const struct image *image, int channel, struct weighting *by) {
     const char *name = image->names[channel], *colour = strrchr(name, '.');
     bool received = starts_with(name, "direct.") || starts_with(name, "indirect.");
-    *by = (struct weighting){-1, -1};
-    if (received || starts_with(name, "normal.") || strcmp(name, "Z") == 0)
+    *by = (struct weighting){-1, -1, -1};
+    if (received || starts_with(name, "normal.") || strcmp(name, "Z") == 0) {
         by->coverage = image_find_channel(image, "A");
+        by->depth = image_find_channel(image, "Z");
+    }
     if (received) {
         char *albedo = mem_printf("albedo%s", colour);
         by->albedo = image_find_channel(image, albedo);

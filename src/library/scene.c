@@ -386,7 +386,7 @@ const char *manylight_scene_name(const struct manylight_scene *scene, enum manyl
 }
 
 uint32_t manylight_matte_id(const char *name) {
-    return cryptomatte_id(name);
+    return name ? cryptomatte_id(name) : 0;
 }
 
 static bool set_distortion(struct camera *camera, const struct manylight_pinhole *pinhole) {

@@ -80,8 +80,8 @@ struct gbuffer_desc {
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
 
-/* Binds the textures of lib/rsm.glsl, and of lib/rsm.glsl if the maps have a specular
- * target. The maps of one kind stand in for a missing kind, which is not read, because drivers warn
+/* Binds the textures of lib/rsm.glsl, with the specular one if the maps have a specular target. The
+ * maps of one kind stand in for a missing kind, which is not read, because drivers warn
  * of empty units. */
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 

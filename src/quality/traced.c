@@ -56,33 +56,39 @@ bool traced_show(const struct renderer_desc *desc, const struct stage *stage, in
 
 /* --- display --- */
 
-static bool write_layer(const struct texture *texture, const struct image *image, int layer) {
-    int channels[3], alpha = image_find_channel(image, "A");
-    if (!image_find_layer(image, shown_layer_prefix(layer), channels))
-        return false;
+/* channels: NULL writes 1, with the picture's alpha. */
+static void write_rows(const struct texture *texture, const struct image *image,
+                       const int *channels) {
+    int alpha = image_find_channel(image, "A");
     float *row = mem_alloc(4 * (size_t)image->width, sizeof *row);
     for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++) {
             const float *pixel = image_at(image, x, y);
-            for (int c = 0; c < 4; c++)
-                row[4 * x + c] = pixel[c < 3 ? channels[c] : alpha];
+            for (int c = 0; c < 3; c++)
+                row[4 * x + c] = channels ? pixel[channels[c]] : 1;
+            row[4 * x + 3] = pixel[alpha];
         }
         gl.TextureSubImage2D(texture->id, 0, 0, image->height - 1 - y, image->width, 1, GL_RGBA,
                              GL_FLOAT, row);
     }
     free(row);
+}
+
+static bool write_layer(const struct mean_pass *mean, const struct image *image, int layer) {
+    int channels[3];
+    if (!image_find_layer(image, shown_layer_prefix(layer), channels))
+        return false;
+    write_rows(&mean->sums[layer], image, channels);
     return true;
 }
 
-/* As a mean of one pass. Where albedos are 1, sums of light are light. */
+/* As a mean of one pass. */
 static void draw(const struct mean_pass *mean, const struct renderer_desc *desc, int layer,
                  GLuint framebuffer) {
-    static const float ones[4] = {1, 1, 1, 1};
     struct timers untimed = {0};
     const struct frame frame = {.timers = &untimed};
     const struct picture_settings *picture =
         settings_of(struct picture_settings, &desc->settings, &picture_part);
-    framebuffer_clear_color(mean->framebuffers[LAYER_ALBEDO], TARGET_RESULT, ones);
     mean_pass_render_display(mean, &frame, 1, layer, picture->exposure,
                              picture->tone_map == TONE_MAP_FILMIC, &desc->background, framebuffer);
 }
@@ -99,9 +105,10 @@ bool traced_display(const struct image *image, const struct renderer_desc *desc,
                                                              .format = GL_RGBA8,
                                                              .width = image->width,
                                                              .height = image->height}) &&
-              write_layer(&mean.sums[LAYER_BEAUTY], image, LAYER_BEAUTY) &&
-              write_layer(&mean.sums[layer], image, layer);
+              write_layer(&mean, image, LAYER_BEAUTY) && write_layer(&mean, image, layer);
     if (ok) {
+        /* Where albedos are 1, sums of light are light. */
+        write_rows(&mean.sums[LAYER_ALBEDO], image, NULL);
         draw(&mean, desc, layer, framebuffer);
         texture_read_bitmap(&display, bitmap);
         ok = context_check();

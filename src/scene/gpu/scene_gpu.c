@@ -499,8 +499,8 @@ static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t 
     draw_runs(gpu, first, end - first, views, &pending);
 }
 
-/* Indices whose views draw one after another: each culls and chooses levels for itself. Fewer cost
- * less than the draws. */
+/* Least indices of a batch whose views draw separately, each with its own culling and levels.
+ * Smaller batches draw all views at once. */
 enum { APART = 3 << 10 };
 
 static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,

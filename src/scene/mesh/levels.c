@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Over the diagonal of the primitive. The chain of levels sums up to the last one's error. */
+/* Error of each level over the diagonal of its piece; an uncut primitive is one piece. It includes
+ * the errors of the levels before. */
 static const float level_errors[LEVEL_COUNT] = {1 / 512.F, 1 / 256.F, 1 / 128.F};
 
 /* A level of nearly as many triangles as the one before is none. */
@@ -20,8 +21,11 @@ static const float most_left = .8F;
 /* Parts of fewer triangles draw them all: a draw costs as much. */
 enum { PART_TRIANGLES = 1024 };
 
-/* Triangles of a piece, whose border keeps its vertices, and least pieces of a part that is cut. */
+/* Triangles of a piece, and the fewest pieces into which a part is cut. Vertices that pieces share
+ * stay. */
 enum { PIECE_TRIANGLES = 2048, CUT_PIECES = 16 };
+
+#define SHARED UINT32_MAX /* an owner: several pieces */
 
 /* Consecutive triangles of a primitive. */
 struct piece {
@@ -62,38 +66,62 @@ static uint32_t move_triangles(const uint32_t *from, uint32_t count, const uint3
     return left;
 }
 
-static uint32_t piece_count(const struct primitive *primitive) {
-    uint32_t count = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
-    return count >= CUT_PIECES ? count : 1;
-}
-
-/* Returns the first index of a piece. */
-static uint32_t piece_begin(const struct primitive *primitive, uint32_t number) {
+/* Returns the first index of piece `number` of so many. */
+static uint32_t piece_begin(const struct primitive *primitive, uint32_t pieces, uint32_t number) {
     uint64_t triangles = (uint64_t)primitive->index_count / 3;
-    return 3 * (uint32_t)(triangles * number / piece_count(primitive));
+    return 3 * (uint32_t)(triangles * number / pieces);
 }
 
-/* Cuts the primitive. Returns for each vertex its piece's diagonal; -1: it is of several. */
+/* Writes for each vertex its piece, from 1, or SHARED. Returns how many vertices are shared. */
+static int find_owners(const struct primitive *primitive, uint32_t pieces, uint32_t *owners) {
+    int shared = 0;
+    for (uint32_t p = 0; p < pieces; p++)
+        for (uint32_t k = piece_begin(primitive, pieces, p);
+             k < piece_begin(primitive, pieces, p + 1); k++) {
+            uint32_t *owner = &owners[primitive->indices[k]];
+            if (*owner == 0)
+                *owner = p + 1;
+            if (*owner != p + 1 && *owner != SHARED) {
+                *owner = SHARED;
+                shared++;
+            }
+        }
+    return shared;
+}
+
+/* Triangles in no spatial order share most vertices between pieces, and these stay. Such a primitive
+ * is one piece. */
+static uint32_t piece_count(const struct primitive *primitive) {
+    uint32_t pieces = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
+    if (pieces < CUT_PIECES)
+        return 1;
+    uint32_t *owners = mem_alloc((size_t)primitive->vertex_count, sizeof *owners);
+    bool is_ordered = find_owners(primitive, pieces, owners) <= primitive->vertex_count / 2;
+    free(owners);
+    return is_ordered ? pieces : 1;
+}
+
+/* Cuts the primitive. Returns for each vertex its piece's diagonal; -1: it is shared. */
 static float *cut_shape(struct level_shape *shape) {
     const struct primitive *primitive = shape->primitive;
-    float *sizes = mem_alloc((size_t)primitive->vertex_count, sizeof *sizes);
-    uint32_t *owner = mem_alloc((size_t)primitive->vertex_count, sizeof *owner);
-    shape->piece_count = piece_count(primitive);
-    shape->pieces = mem_alloc(shape->piece_count, sizeof *shape->pieces);
-    for (uint32_t p = 0; p < shape->piece_count; p++) {
+    uint32_t vertices = (uint32_t)primitive->vertex_count, pieces = piece_count(primitive);
+    float *sizes = mem_alloc(vertices, sizeof *sizes);
+    uint32_t *owners = mem_alloc(vertices, sizeof *owners);
+    shape->piece_count = pieces;
+    shape->pieces = mem_alloc(pieces, sizeof *shape->pieces);
+    for (uint32_t p = 0; p < pieces; p++) {
         struct primitive part = *primitive;
-        part.indices += piece_begin(primitive, p);
-        part.index_count = (int)(piece_begin(primitive, p + 1) - piece_begin(primitive, p));
-        float diagonal = primitive_diagonal(&part);
+        uint32_t begin = piece_begin(primitive, pieces, p);
+        part.indices += begin;
+        part.index_count = (int)(piece_begin(primitive, pieces, p + 1) - begin);
         uint32_t count = (uint32_t)part.index_count;
-        shape->pieces[p] = (struct piece){.diagonal = diagonal, .left = count, .drawn = count};
-        for (int k = 0; k < part.index_count; k++) {
-            uint32_t v = part.indices[k];
-            sizes[v] = owner[v] == 0 || owner[v] == p + 1 ? diagonal : -1;
-            owner[v] = owner[v] == 0 ? p + 1 : owner[v];
-        }
+        shape->pieces[p] =
+            (struct piece){.diagonal = primitive_diagonal(&part), .left = count, .drawn = count};
     }
-    free(owner);
+    find_owners(primitive, pieces, owners);
+    for (uint32_t v = 0; v < vertices; v++)
+        sizes[v] = owners[v] == SHARED ? -1 : owners[v] ? shape->pieces[owners[v] - 1].diagonal : 0;
+    free(owners);
     return sizes;
 }
 
@@ -186,8 +214,10 @@ static int compare_parts(const void *a, const void *b) {
 static void list_pieces(struct work *work, int number) {
     const struct geometry_part *part = &work->geometry->parts[number];
     const struct primitive *primitive = geometry_primitive(work->scene, part);
-    for (uint32_t p = 0; p < piece_count(primitive); p++) {
-        uint32_t begin = piece_begin(primitive, p), end = piece_begin(primitive, p + 1);
+    uint32_t pieces = piece_count(primitive);
+    for (uint32_t p = 0; p < pieces; p++) {
+        uint32_t begin = piece_begin(primitive, pieces, p),
+                 end = piece_begin(primitive, pieces, p + 1);
         work->levels->parts[work->levels->part_count++] = (struct level_part){
             number, (int)p, .first_index = part->first_index + begin, .index_count = end - begin};
     }

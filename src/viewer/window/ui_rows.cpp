@@ -189,7 +189,6 @@ bool ui_wide_button(const char *name, const char *help) {
     return clicked;
 }
 
-/* The texture's row 0 is the lowest. */
 /* What each of so many buttons has beside its name, where the names and their gaps fill a line. */
 static float beside_names(const char *const *names, int count, float gap) {
     float left = ImGui::GetContentRegionAvail().x - gap * (float)(count - 1);
