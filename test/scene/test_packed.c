@@ -16,10 +16,11 @@ static const unsigned triangles[6] = {0, 1, 2, 0, 2, 3};
 struct packed_quad {
     unsigned char bytes[256];
     size_t vertices, indices; /* sizes */
+    const char *extension;    /* NULL: EXT_meshopt_compression */
 };
 
 static struct packed_quad pack_quad(void) {
-    struct packed_quad quad = {{0}, 0, 0};
+    struct packed_quad quad = {{0}, 0, 0, NULL};
     quad.vertices =
         meshopt_encodeVertexBuffer(quad.bytes, PACKED_INDICES_AT, corners, 4, sizeof *corners);
     meshopt_encodeIndexVersion(1);
@@ -35,23 +36,23 @@ static struct packed_quad pack_quad(void) {
  * are said to be packed. */
 static bool load_marked(struct scene *scene, const struct packed_quad *quad, int count,
                         const char *mark) {
+    const char *extension = quad->extension ? quad->extension : "EXT_meshopt_compression";
+    char required[64];
     const char *buffers = form("[{byteLength: 320}, {byteLength: 60%s}]", mark);
     char views[1024];
     snprintf(views, sizeof views,
-             "[{buffer: 1, byteLength: 48, extensions: {EXT_meshopt_compression: {buffer: 0, "
-             "byteOffset: 64, "
+             "[{buffer: 1, byteLength: 48, extensions: {'%s': {buffer: 0, byteOffset: 64, "
              "byteLength: %zu, byteStride: 12, count: %d, mode: ATTRIBUTES}}}, {buffer: 1, "
-             "byteOffset: 48, byteLength: 12, extensions: {EXT_meshopt_compression: {buffer: 0, "
-             "byteOffset: %d, "
+             "byteOffset: 48, byteLength: 12, extensions: {'%s': {buffer: 0, byteOffset: %d, "
              "byteLength: %zu, byteStride: 2, count: 6, mode: TRIANGLES}}}]",
-             quad->vertices, count, 64 + PACKED_INDICES_AT, quad->indices);
-    return load_parts(scene, "meshopt.glb",
-                      &PARTS(.buffers = buffers, .views = views,
-                             .accessors =
-                                 "[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, "
-                                 "{bufferView: 1, componentType: 5123, count: 6, type: SCALAR}]",
-                             .more = "extensionsRequired: [EXT_meshopt_compression],",
-                             .extra = quad->bytes, .extra_size = sizeof quad->bytes));
+             extension, quad->vertices, count, extension, 64 + PACKED_INDICES_AT, quad->indices);
+    snprintf(required, sizeof required, "extensionsRequired: ['%s'],", extension);
+    return load_parts(
+        scene, "meshopt.glb",
+        &PARTS(.buffers = buffers, .views = views,
+               .accessors = "[{bufferView: 0, componentType: 5126, count: 4, type: VEC3}, "
+                            "{bufferView: 1, componentType: 5123, count: 6, type: SCALAR}]",
+               .more = required, .extra = quad->bytes, .extra_size = sizeof quad->bytes));
 }
 
 static bool load_quad(struct scene *scene, const struct packed_quad *quad, int count) {
@@ -119,6 +120,78 @@ TEST(filters) {
     check_filter("octahedral, words", FILTER_OCTAHEDRAL, 8, meshopt_decodeFilterOct);
     check_filter("quaternions", FILTER_QUATERNION, 8, meshopt_decodeFilterQuat);
     check_filter("exponents", FILTER_EXPONENTIAL, 12, meshopt_decodeFilterExp);
+}
+
+/* --- version 1, by hand from the appendices of KHR_meshopt_compression --- */
+
+/* The corners: bytes as they are and one bit each; x as differences of bytes, y as XOR turned by 8
+ * bits, z still. */
+static const unsigned char corners_v1[] = {
+    0xa1, 0xea, 0x6b, 0xaa, 0x00, 0x80, 0x00, 0x7f, 0x00, 0x00, 0x40, 0x00, 0x00, 0x04,
+    0x00, 0x40, 0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
+    0,    0,    0,    0,    0,    0,    0,    0,    0,    0x00, 0x82, 0x00};
+
+/* The standard's example of four bits each, for the first byte of 16 elements of four. */
+static const unsigned char four_bits[] = {
+    0xa1, 0xa8, 0x03, 0x17, 0x5f, 0xf0, 0xbc, 0x77, 0xa9, 0x21, 0x00, 0x34, 0xb5, 0, 0, 0, 0, 0, 0,
+    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0, 0, 0, 0, 0};
+
+/* Two elements of two words: 1 + 299 and 300 - 1; 0 and 0. */
+static const unsigned char words[] = {0xa1, 0xaf, 0x56, 0x01, 0x02, 0x00, 0, 0, 0, 0,
+                                      0,    0,    0,    0,    0,    0,    0, 0, 0, 0,
+                                      0,    0,    0,    0,    0,    1,    0, 0, 0, 1};
+
+TEST(meshopt_v1) {
+    static const int steps[16] = {-1, -4, -3, 26, -91, 0, -6, 6, -4, -4, 5, -5, 1, -1, 0, 0};
+    unsigned char got[64], value = 0;
+    struct packed_view view = {
+        .bytes = four_bits, .size = sizeof four_bits, .count = 16, .stride = 4};
+    check_ok("four bits", unpack_meshopt(&view, got));
+    for (int i = 0; i < 16; i++) {
+        value = (unsigned char)(value + steps[i]);
+        assert_int_equal(got[4 * i], value);
+        assert_int_equal(got[4 * i + 3], 0);
+    }
+    view = (struct packed_view){.bytes = words, .size = sizeof words, .count = 2, .stride = 4};
+    check_ok("words", unpack_meshopt(&view, got));
+    assert_memory_equal(got, ((const uint16_t[]){300, 0, 299, 0}), 8);
+    struct packed_quad quad = pack_quad();
+    OWNED(scene) scene;
+    memcpy(quad.bytes, corners_v1, quad.vertices = sizeof corners_v1);
+    quad.extension = "KHR_meshopt_compression";
+    check_ok("quad", load_quad(&scene, &quad, 4));
+    check_quad(&scene.meshes[0].primitives[0]);
+}
+
+/* Cut, too long, or of a mode that there is not. */
+TEST(bad_meshopt_v1) {
+    unsigned char bytes[sizeof corners_v1 + 1] = {0}, got[48];
+    for (size_t size = 1; size <= sizeof bytes; size++) {
+        struct packed_view view = {.bytes = bytes, .size = size, .count = 4, .stride = 12};
+        memset(bytes, 0, sizeof bytes);
+        memcpy(bytes, corners_v1, size < 16 ? size : 16); /* then the tail */
+        if (size > 24)
+            bytes[size - 2] = 0x82;
+        assert_int_equal(unpack_meshopt(&view, got), size == sizeof corners_v1);
+    }
+    static const unsigned char modes[] = {0x03, 0x10, 0x11};
+    for (int i = 0; i < 3; i++) {
+        struct packed_view view = {
+            .bytes = bytes, .size = sizeof corners_v1, .count = 4, .stride = 12};
+        memcpy(bytes, corners_v1, sizeof corners_v1);
+        bytes[sizeof corners_v1 - 1] = modes[i];
+        check_refused(unpack_meshopt(&view, got), "40 bytes are no 4 packed elements");
+    }
+}
+
+/* R = Y + Co - Cg, G = Y + Cg, B = Y - Co - Cg. Bytes hold 8 bits, words hold 4. */
+TEST(colors) {
+    unsigned char bytes[4] = {110, 80, (unsigned char)-10, 255};
+    int16_t numbers[4] = {7, 3, -2, 13};
+    unpack_meshopt_color(&(struct packed_view){.count = 1, .stride = 4}, bytes);
+    unpack_meshopt_color(&(struct packed_view){.count = 1, .stride = 8}, (unsigned char *)numbers);
+    assert_memory_equal(bytes, ((const unsigned char[]){200, 100, 40, 255}), 4);
+    assert_memory_equal(numbers, ((const uint16_t[]){52428, 21845, 26214, 48059}), 8);
 }
 
 /* A list of indices that are no triangles, of two bytes and of four. */

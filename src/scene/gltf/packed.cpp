@@ -45,9 +45,8 @@ bool unpack_view(Loader &loader, const tinygltf::BufferView &view, const tinyglt
     packed.filter = filter == "OCTAHEDRAL"    ? FILTER_OCTAHEDRAL
                     : filter == "QUATERNION"  ? FILTER_QUATERNION
                     : filter == "EXPONENTIAL" ? FILTER_EXPONENTIAL
+                    : filter == "COLOR"       ? FILTER_COLOR
                                               : FILTER_NONE;
-    if (filter == "COLOR")
-        return error_set("its filter of colours is not read");
     if (packed.stride == 0 || packed.count > view.byteLength / packed.stride)
         return error_set("%zu elements of %zu bytes in %zu bytes", packed.count, packed.stride,
                          view.byteLength);

@@ -6,7 +6,13 @@
 #include <stddef.h>
 
 enum packed_mode { PACKED_ATTRIBUTES, PACKED_TRIANGLES, PACKED_INDICES };
-enum packed_filter { FILTER_NONE, FILTER_OCTAHEDRAL, FILTER_QUATERNION, FILTER_EXPONENTIAL };
+enum packed_filter {
+    FILTER_NONE,
+    FILTER_OCTAHEDRAL,
+    FILTER_QUATERNION,
+    FILTER_EXPONENTIAL,
+    FILTER_COLOR
+};
 
 /* A buffer view with EXT_meshopt_compression or KHR_meshopt_compression. */
 struct packed_view {
@@ -19,6 +25,13 @@ struct packed_view {
 
 /* Writes count x stride bytes. Error: invalid sizes for mode or filter, or invalid data. */
 bool unpack_meshopt(const struct packed_view *view, unsigned char *to);
+
+/* Unpacks attributes with a stream of version 1, without the filter. */
+enum { MESHOPT_V1 = 0xa1 }; /* first byte of the stream */
+bool unpack_meshopt_v1(const struct packed_view *view, unsigned char *to);
+
+/* Undoes the colour filter in place. */
+void unpack_meshopt_color(const struct packed_view *view, unsigned char *to);
 
 /* A mesh with KHR_draco_mesh_compression. */
 struct packed_mesh;

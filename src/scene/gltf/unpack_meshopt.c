@@ -10,7 +10,7 @@ static bool check(const struct packed_view *view) {
                                                 : stride == 2 || stride == 4;
     if (view->mode == PACKED_TRIANGLES && view->count % 3 != 0)
         return error_set("%zu indices make no whole triangles", view->count);
-    if (view->filter == FILTER_OCTAHEDRAL)
+    if (view->filter == FILTER_OCTAHEDRAL || view->filter == FILTER_COLOR)
         good = good && (stride == 4 || stride == 8);
     if (view->filter == FILTER_QUATERNION)
         good = good && stride == 8;
@@ -30,14 +30,18 @@ static int decode(const struct packed_view *view, unsigned char *to) {
 bool unpack_meshopt(const struct packed_view *view, unsigned char *to) {
     if (!check(view))
         return false;
-    if (decode(view, to) != 0)
-        return error_set("%zu bytes are no %zu packed elements, or of a later version", view->size,
-                         view->count);
+    bool is_v1 = view->mode == PACKED_ATTRIBUTES && view->size > 0 && view->bytes[0] == MESHOPT_V1;
+    if (is_v1 && !unpack_meshopt_v1(view, to))
+        return false;
+    if (!is_v1 && decode(view, to) != 0)
+        return error_set("%zu bytes are no %zu packed elements", view->size, view->count);
     if (view->filter == FILTER_OCTAHEDRAL)
         meshopt_decodeFilterOct(to, view->count, view->stride);
     if (view->filter == FILTER_QUATERNION)
         meshopt_decodeFilterQuat(to, view->count, view->stride);
     if (view->filter == FILTER_EXPONENTIAL)
         meshopt_decodeFilterExp(to, view->count, view->stride);
+    if (view->filter == FILTER_COLOR)
+        unpack_meshopt_color(view, to);
     return true;
 }
