@@ -226,7 +226,7 @@ mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster 
 	@test/mutate $(BUILD) $(MUTANTS) "test_metrics test_heat_map" src/metrics/*.c src/metrics/flip/*.c
 	@test/mutate $(BUILD) $(MUTANTS) test_options src/base/option.c src/base/settings.c
 	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
-	    $(wildcard src/passes/lights/cluster_*.vert src/passes/lights/cluster_*.frag src/passes/lights/cluster_*.comp src/passes/lights/val_distance.glsl)
+	    $(wildcard src/passes/lights/cluster_*.vert src/passes/lights/cluster_*.comp src/passes/lights/val_distance.glsl)
 
 lint: $(BUILD)/shaders.checked
 	@test/install-packages clang-format

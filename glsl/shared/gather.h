@@ -45,9 +45,9 @@ STD140_SIZE(interleaving, 16)
 #define GATHER_CLAMP_RECTANGLE 6
 #define GATHER_CLAMP_RECTANGLE_NEAR 7 /* without their near field */
 
-/* TESTED: who tests the visibility of a pixel's VPLs. Two VPLs of a group for all of it; the pixel;
- * the nearest block on its surface; that block, as the list texel names it; the four blocks around
- * it. */
+/* TESTED: who tests visibility. GROUP: two VPLs for their group. PIXEL: the pixel. BLOCK: the
+ * nearest block on its surface. GIVEN_BLOCK: that block, from the list texel. BLOCKS: the four
+ * blocks around it. */
 #define TESTED_BY_GROUP 0
 #define TESTED_BY_PIXEL 1
 #define TESTED_BY_BLOCK 2

@@ -5,8 +5,8 @@
 #include "shared/types.h"
 
 /* A virtual point light [Dong 2009 §4]. Transform feedback writes it (lib/vpl_output.glsl). It is
- * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and in a block
- * (lib/vpl_block.glsl). */
+ * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and as rows of a block
+ * (lib/vpl_rows.glsl). */
 #define VPL_ROWS 4
 
 struct vpl {

@@ -204,7 +204,7 @@ class Device:
         camera : the camera that gives the default size
         """
         for name in OF_FRAMES & set(more) | ({"camera"} if isinstance(camera, Camera) else set()):
-            raise ArgumentError(f"{name}: of each frame, so a parameter of Renderer.render")
+            raise ArgumentError(f"{name}: pass it to Renderer.render, for each frame")
         device, opened = self._open(), scene_of(scene)
         desc = Descriptor("renderer_desc", **width_and_height(size), technique=technique, direct=direct,
                           quality=quality, settings=settings_text(settings, more), passes=passes,

@@ -28,28 +28,42 @@ static const struct option options[] = {
 
 static const struct arguments arguments = {
     .synopsis = "A.exr B.exr ... -o FILE.exr",
-    .summary = "Averages pictures of manylight render --passes K --first-pass N, weighted by their "
-               "passes.\n"
-               "The result is the picture of all passes at once. A pass in two of the pictures is "
-               "an error.\n"
-               "Irradiance is weighted by albedo, depth and normal by coverage.\n"
-               "A picture - is standard input; -o - is standard output, with --format exr.",
+    .summary =
+        "Averages pictures of manylight render --passes K --first-pass N, weighted by their "
+        "passes.\n"
+        "The result is the picture of all passes at once, but for Z and normals where a pass has "
+        "a\n"
+        "surface's edge and a pane before nothing in one pixel. A pass in two of the pictures is "
+        "an error.\n"
+        "Irradiance is weighted by albedo, depth and normal by coverage.\n"
+        "A picture - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .min_positional = 1,
     .max_positional = PICTURES_MAX,
 };
 
-/* Channels of its pixel that weight a channel's mean; -1: none. Coverage counts panes, so it weights
- * only where the pixel has a surface, which `depth` tells. */
+static const char *const of_surface[] = {"Z", "albedo.R", "albedo.G", "albedo.B"};
+enum { OF_SURFACE = sizeof of_surface / sizeof *of_surface };
+
+/* Channels of its pixel that weight a channel's mean; -1: none. Coverage counts panes, too: it is
+ * of surfaces only where one of their channels is not 0. */
 struct weighting {
-    int albedo, coverage, depth;
+    int albedo, coverage, surface[OF_SURFACE];
 };
+
+static bool has_surface(const struct weighting *by, const float *pixel) {
+    bool has = false;
+    for (int i = 0; i < OF_SURFACE; i++)
+        has |= by->surface[i] >= 0 && pixel[by->surface[i]] > 0;
+    return has;
+}
 
 /* As src/passes/picture/layer_shown.glsl. */
 static double weight_of(const struct weighting *by, const float *pixel) {
     const double least = 1e-6;
-    bool present = by->depth < 0 || pixel[by->depth] > 0;
-    double coverage = by->coverage < 0 ? 1 : present ? (double)pixel[by->coverage] : 0;
+    double coverage = by->coverage < 0         ? 1
+                      : has_surface(by, pixel) ? (double)pixel[by->coverage]
+                                               : 0;
     return by->albedo < 0 ? coverage : (double)pixel[by->albedo] + least * coverage;
 }
 
@@ -60,11 +74,11 @@ static bool starts_with(const char *text, const char *start) {
 static bool find_weighting(const struct image *image, int channel, struct weighting *by) {
     const char *name = image->names[channel], *colour = strrchr(name, '.');
     bool received = starts_with(name, "direct.") || starts_with(name, "indirect.");
-    *by = (struct weighting){-1, -1, -1};
-    if (received || starts_with(name, "normal.") || strcmp(name, "Z") == 0) {
+    *by = (struct weighting){.albedo = -1, .coverage = -1};
+    for (int i = 0; i < OF_SURFACE; i++)
+        by->surface[i] = image_find_channel(image, of_surface[i]);
+    if (received || starts_with(name, "normal.") || strcmp(name, "Z") == 0)
         by->coverage = image_find_channel(image, "A");
-        by->depth = image_find_channel(image, "Z");
-    }
     if (received) {
         char *albedo = mem_printf("albedo%s", colour);
         by->albedo = image_find_channel(image, albedo);

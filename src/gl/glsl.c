@@ -61,7 +61,7 @@ static const char *next_define(const char *define) {
     return define + (*define == ';');
 }
 
-/* Whether the line is #include "FILE", not C's <FILE> of a shared header; the file. */
+/* Returns true and the file for #include "FILE". Ignores <FILE> of shared headers. */
 static bool parse_include(const char *line, char *file, size_t size) {
     static const char directive[] = "#include \"";
     if (strncmp(line, directive, sizeof directive - 1) != 0)

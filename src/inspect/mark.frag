@@ -1,6 +1,5 @@
 // A mark: a round point or, with LINES, a line. What lies behind a surface is drawn faint.
 #include "inspect/mark.glsl"
-#include "lib/gbuffer.glsl"
 
 flat in vec3 mark_color;
 flat in float strength;

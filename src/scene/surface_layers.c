@@ -16,8 +16,8 @@ const char *const surface_layer_names[] = {
     "id.node",     "id.mesh",         "id.material", "position",    "depth",           "uv",
     "motion.next", "motion.previous", "crypto.node", "crypto.mesh", "crypto.material", NULL};
 
-/* Ids and coverage of two ranks in each four. Blender 3 finds no name with a dot beside R, G and B.
- * Capitals would be halves in files. */
+/* Two ranks per layer, id and coverage each. Small letters keep them floats in EXR. Blender 3 needs
+ * layer names without dots. */
 #define RANKS(name) name ".r " name ".g " name ".b " name ".a"
 #define MATTE(name) RANKS(name "00") " " RANKS(name "01") " " RANKS(name "02")
 
@@ -104,8 +104,8 @@ static void fill_ids(const struct surface_view *view, int layer, int channel, st
     mem_free(ids, seen);
 }
 
-/* Moves a point of a triangle's plane to an edge that it is beyond: to the nearest point as seen
- * along the direction. */
+/* Moves the weights of a point outside a triangle to the nearest point of an edge, as seen along
+ * the direction. */
 static void move_inside(const float *const corners[3], const float direction[3],
                         double weights[3]) {
     for (int i = 0; i < 3; i++) {

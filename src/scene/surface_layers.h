@@ -43,7 +43,7 @@ struct surface_view {
 int surface_layer_find(const char *name);
 extern const char *const surface_layer_names[];
 
-/* Returns true for a layer of several samples of a pixel. */
+/* Returns true for a Cryptomatte layer, which counts the samples of a pixel. */
 bool surface_layer_is_matte(const char *name);
 
 /* Returns the name of part i of the scene: of its nodes (0), meshes (1) or materials (2); NULL:

@@ -386,7 +386,7 @@ LONG_TEST(vpl_raytraced) {
 /* --- the command line ------------------------------------------------------------------------- */
 
 TEST(help) {
-    static const char *const modes[] = {"times",    "sweep",    "budget", "curves",
+    static const char *const modes[] = {"times",    "passes",   "sweep",  "budget", "curves",
                                         "temporal", "failures", "direct", "quality"};
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };

@@ -303,6 +303,23 @@ TEST(words) {
     }
 }
 
+/* A layer of light of a path-traced picture has the background where nothing is seen. */
+TEST(traced_background) {
+    if (!gl.software)
+        skip();
+    const char *png = form("%s", scratch("seen.png"));
+    OWNED(image) seen;
+    assert_int_equal(run_program("render scenes/cornell-box.glb -o %s --size 24x24 -q --budget "
+                                 "600000ms --layer indirect --camera '0 fov=2.2' --background "
+                                 "'#ff0000'",
+                                 png),
+                     0);
+    check_ok("picture", image_read(&seen, png));
+    const float *corner = image_at(&seen, 0, 0);
+    check_near("red", (double)corner[0], 1, 1e-6);
+    check_near("green and blue", (double)(corner[1] + corner[2]), 0, 1e-6);
+}
+
 /* A path-traced picture is `reference`'s, in each format; what speaks of frames keeps them. */
 TEST(traced) {
     static const char scene[] = "scenes/cornell-box.glb --size 40x40";

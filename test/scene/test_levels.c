@@ -126,6 +126,33 @@ static void join_three(struct stage *stage) {
     pose_stage(stage);
 }
 
+/* In no spatial order pieces would share nearly all vertices: the mesh is one piece with levels. */
+TEST(shuffled) {
+    OWNED(stage) stage;
+    OWNED(levels) levels;
+    join_three(&stage);
+    for (int m = 0; m < stage.scene.mesh_count; m++) {
+        struct primitive *primitive = &stage.scene.meshes[m].primitives[0];
+        int triangles = primitive->index_count / 3;
+        for (int i = 0; i < triangles; i++)
+            for (int c = 0, other = (int)((long)i * 7919 % triangles); c < 3; c++) {
+                uint32_t *a = &primitive->indices[3 * i + c],
+                         *b = &primitive->indices[3 * other + c], first = *a;
+                *a = *b;
+                *b = first;
+            }
+    }
+    pose_stage(&stage);
+    levels_init(&levels, &stage.scene, &stage.geometry);
+    assert_int_equal(levels.part_count, 1);
+    const struct level_part *part = &levels.parts[0];
+    uint32_t fewest = part->index_count;
+    for (int l = 0; l < LEVEL_COUNT; l++)
+        if (!isinf(part->error[l]))
+            fewest = part->count[l];
+    check_at_most("indices left", fewest, part->index_count / 4.); /* as test_twins */
+}
+
 /* Each piece of a large mesh chooses its level, and no crack opens between pieces of any. */
 TEST(pieces) {
     OWNED(stage) stage;

@@ -17,7 +17,7 @@ bool desktop_drop(unsigned long window, const char *path);
 /* Minimises it, or shows it again, as a window manager does. */
 bool desktop_minimise(unsigned long window, bool away);
 
-/* The least size of the window, as it tells the window manager. False: it does not. */
+/* Reads the window's minimum size from its hints. False: it has none. */
 bool desktop_read_hints(unsigned long window, int *width, int *height);
 
 /* The text that was copied last. False: there is none. */

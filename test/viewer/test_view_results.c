@@ -229,8 +229,7 @@ TEST(timeline) {
     finish_viewer();
 }
 
-/* --- one scene after another ---------------------------------------------------------------------
- */
+/* --- one scene after another ------------------------------------------------------------------ */
 
 static void open_scene(const char *scene) {
     const char *path = form("%s/%s", stage.here, scene);

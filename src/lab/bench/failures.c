@@ -57,10 +57,10 @@ static bool judge(struct bench *bench) {
 
 const struct bench_mode bench_failures = {
     .name = "failures",
-    .help =
-        "errors in known difficult cases, checked against bounds\n"
-        "Each case is a small scene or a setting. Pictures show the reference and all columns,\n"
-        "with differences below. The bounds are for 160x120 and --noise .02. Without NAME: all.",
+    .help = "errors in known difficult cases, checked against bounds\n"
+            "Each case is a small scene or a setting. --output writes one EXR file for each: the\n"
+            "reference, and a layer for each column. The bounds are for 160x120 and --noise .02. "
+            "Without NAME: all.",
     .arguments = "[NAME ...]",
     .options = "size set noise cache output" BENCH_CONTEXT,
     .check = check,

@@ -37,8 +37,9 @@ struct failure_desc {
     struct reference_desc reference;  /* REFERENCE_CENTERS: without the error of edges */
     const struct context *context;    /* its messages count */
     bool small;                       /* hold results to the bounds of small pictures */
-    unsigned columns;                 /* bits of failure_columns; 0 = all, as pictures need */
-    const char *pictures;             /* folder; NULL = no pictures */
+    unsigned columns;                 /* bits of failure_columns; 0 = all */
+    const char
+        *pictures; /* folder for ROW.exr: layers of the reference and of each column; NULL = none */
 };
 
 /* Adds a subject for each of these columns, whose point is the row's name:

@@ -36,7 +36,7 @@ near_light near_fetch(light_view v, ivec2 texel) {
                                  : texelFetch(near_lights[LIGHT_MAP_SINGLE], place, 0));
 }
 
-// That has the point.
+// Returns the texel that holds the point.
 ivec2 near_texel(vec2 ndc, int size) {
     return clamp(ivec2((ndc * 0.5 + 0.5) * float(size)), ivec2(0), ivec2(size - 1));
 }

@@ -76,7 +76,6 @@ vec3 receiver_triangle(surface s, ivec2 pixel) {
 // All pixels but those that lists have.
 #include "lib/gbuffer.glsl"
 #include "lib/tiles.glsl"
-#include "lib/tiles.glsl"
 #include "passes/gather/receiver_facet.glsl"
 
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;

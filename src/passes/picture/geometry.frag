@@ -51,7 +51,7 @@ vec3 mapped_normal(vec3 normal) {
     return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
 }
 
-// Of that base colour: the albedo of its diffuse part towards a unit direction; the reflectance from straight on and the
+// Splits a base colour: the albedo of its diffuse part towards a unit direction, the reflectance from straight on and the
 // roughness of its specular part, and the reflectance grazing. The diffuse part has what the lobe leaves of the light, by
 // its directional albedo, so that a white dielectric reflects all. The same as reference/brdf.c.
 vec3 diffuse_and_specular(vec3 base, float cosine, out vec4 specular, out float grazing) {
@@ -111,8 +111,9 @@ vec3 albedo_of(vec3 base, vec3 normal, vec3 towards, bool of_light, bool is_back
 }
 #endif
 #ifdef FACETS
-// FACETS: each triangle sends light on, not the smooth surface of the normals. A triangle as rays meet it: it receives by the shading normal, but how large it is, to the light and to what it lights,
-// is by its own. Along light paths the two trade places [Veach 1997, §5.3].
+// FACETS: each triangle sends light on, not the smooth surface of the normals, as rays meet it. It receives by the shading
+// normal, but its size, to the light and to what it lights, is by its own. Along light paths the two trade places
+// [Veach 1997, §5.3].
 // At a facet's horizon the cosines grow apart without a bound.
 const float ALBEDO_MOST = 8.0;
 

@@ -25,7 +25,7 @@ float angular_width(light l, float away) {
 #ifdef HAS_MEDIUM
 const int LAMP_PLACES = 16;
 
-// From its middle, of a directional light one metre away; `place` is from 0 to 1.
+// Returns a point of the lamp relative to its centre; a directional light is a metre away. `place` is from 0 to 1.
 vec3 lamp_place(light l, vec3 direction, vec2 place) {
     if (l.shape == LIGHT_SHAPE_RECTANGLE)
         return (place.x - 0.5) * l.width * l.right + (place.y - 0.5) * l.height * l.up;

@@ -164,7 +164,7 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     viewer_tell_sky(viewer);
 }
 
-/* The same file is looked at as before it changed. */
+/* Restores the view after the same file was read again. */
 static void show_as_before(struct viewer *viewer, struct session *before) {
     before->scene = viewer->document.scene.path;
     if (viewer->opening.reloading.on && !viewer_show_session(viewer, before))

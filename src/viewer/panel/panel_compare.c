@@ -43,7 +43,7 @@ static const char *layer_title(int layer) {
                                      : "errors of all light";
 }
 
-/* The two that say most; the first as everywhere in the panel. */
+/* Draws relative RMSE and relative bias. */
 static void draw_main_errors(const struct viewer *viewer) {
     const struct compare *compare = &viewer->shown.compare;
     double error, noise = viewer_reference_noise(viewer);
