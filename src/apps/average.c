@@ -31,10 +31,9 @@ static const struct arguments arguments = {
     .summary =
         "Averages pictures of manylight render --passes K --first-pass N, weighted by their "
         "passes.\n"
-        "The result is the picture of all passes at once, but for Z and normals where a pass has "
-        "a\n"
-        "surface's edge and a pane before nothing in one pixel. A pass in two of the pictures is "
-        "an error.\n"
+        "The result is the picture of all passes at once, but for Z and normals where a pass\n"
+        "has a surface's edge and a pane before nothing in one pixel. A pass in two of the\n"
+        "pictures is an error.\n"
         "Irradiance is weighted by albedo, depth and normal by coverage.\n"
         "A picture - is standard input; -o - is standard output, with --format exr.",
     .options = options,

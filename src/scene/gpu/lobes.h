@@ -1,8 +1,8 @@
 /* Linearly transformed cosines of the specular lobe [Heitz et al. 2016]: a matrix for each
  * roughness and view direction. Errors for wide lights are within 1 % up to roughness .5. At
- * grazing angles they reach 10 %, and 30 % at roughness .75. Where only the lobe's tails see a light
- * they are larger: 18 degrees above a surface of roughness .4, what lies 20 degrees beside the
- * mirrored ray gets 36 % of its light (docs/notes/materials.md). */
+ * grazing angles they reach 10 %, and 30 % at roughness .75. Where only the lobe's tails see a
+ * light they are larger: 18 degrees above a surface of roughness .4, what lies 20 degrees beside
+ * the mirrored ray gets 36 % of its light (docs/notes/materials.md). */
 #ifndef SCENE_GPU_LOBES_H
 #define SCENE_GPU_LOBES_H
 

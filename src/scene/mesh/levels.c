@@ -89,8 +89,8 @@ static int find_owners(const struct primitive *primitive, uint32_t pieces, uint3
     return shared;
 }
 
-/* Triangles in no spatial order share most vertices between pieces, and these stay. Such a primitive
- * is one piece. */
+/* Triangles in no spatial order share most vertices between pieces, and these stay. Such a
+ * primitive is one piece. */
 static uint32_t piece_count(const struct primitive *primitive) {
     uint32_t pieces = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
     if (pieces < CUT_PIECES)
