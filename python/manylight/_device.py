@@ -43,7 +43,6 @@ class Renderer:
         self._lock = threading.Lock()
         self._process = os.getpid()
         self._shape = (0, 0)
-        self._names: List[str] = []  # layers of every frame
         self._lens: Optional[Renderer] = None  # draws the pinholes of a lens
         self._parts = device, desc
         self.scene = scene
@@ -111,17 +110,14 @@ class Renderer:
         return resampled(camera, size, wanted, draw)
 
     def _image(self, renderer: Any, wanted: Optional[List[str]]) -> Any:
-        """The last frame. Names that are no layers of every frame are outputs of the technique or of surfaces."""
-        if not self._names:
-            image = made("image", lib.manylight_read, renderer, ffi.NULL)
-            self._names = layer_names(image)
-            if not wanted or set(wanted) <= set(self._names):
-                return image
-        outputs = ",".join(layer for layer in wanted or () if layer not in self._names)
-        try:
-            return made("image", lib.manylight_read, renderer, encode(outputs) if outputs else ffi.NULL)
+        """The last frame with these layers."""
+        if wanted is None:
+            return made("image", lib.manylight_read, renderer, ffi.NULL)
+        try:  # Z, as without a layer of every frame all of them are read
+            return made("image", lib.manylight_read, renderer, encode(",".join(["Z", *wanted])))
         except ArgumentError as error:
-            raise ArgumentError(f"{error}; layers of every frame: {', '.join(self._names)}") from None
+            names = layer_names(made("image", lib.manylight_read, renderer, ffi.NULL))
+            raise ArgumentError(f"{error}; layers of every frame: {', '.join(names)}") from None
 
     def display(self, layer: Optional[str] = None) -> np.ndarray:
         """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",

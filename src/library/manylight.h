@@ -428,7 +428,9 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
 
 /* Copies all layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, and those of
  * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
- * none. Outputs of the technique, "val,visibility", are for single passes, not means.
+ * none. If it names layers of every frame, "beauty,id.node", the image has these, Z and no others
+ * of every frame, which takes less time. Outputs of the technique, "val,visibility", are for single
+ * passes, not means.
  *
  * Layers of surfaces show pixel centres, without mixing; crypto.node, crypto.mesh, crypto.material
  * are Cryptomatte of the samples of antialiasing, in channels crypto_node00.r and so on. They are 0

@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "renderer/renderer.h"
 
 #include "base/error.h"
@@ -397,11 +398,26 @@ static bool find_motion(struct manylight_renderer *renderer, struct surface_moti
                             renderer->step, motion);
 }
 
-static bool read_layers(void *user) {
-    struct call *call = user;
+/* Returns the bits of the layers of every frame among the names; without any, of all. others: the
+ * other names, owned; NULL: none. */
+static unsigned take_layers(const struct renderer *renderer, const char *names, char **others) {
+    char *list = mem_strdup(names ? names : ""), *next = NULL;
+    unsigned bits = 0;
+    for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next)) {
+        unsigned bit = renderer_layer_bit(renderer, name);
+        char *before = *others;
+        bits |= bit;
+        if (!bit) {
+            *others = before ? mem_printf("%s,%s", before, name) : mem_strdup(name);
+            free(before);
+        }
+    }
+    free(list);
+    return bits ? bits | 1U << LAYER_DEPTH : ~0U;
+}
+
+static bool append_layers(struct call *call, unsigned layers) {
     struct renderer *renderer = &call->of->renderer;
-    if (!check_frame(call->of))
-        return false;
     if (aov_needs_pass(call->text) && call->of->drawing.is_mean) {
         error_set("aov: outputs of a technique are of one pass, and not of a mean");
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
@@ -409,7 +425,7 @@ static bool read_layers(void *user) {
     if (!aov_check(renderer, call->text))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     struct surface_motion motion = {.positions = {NULL}};
-    if (!renderer_read_layers(renderer, &call->image))
+    if (!renderer_read_some(renderer, layers, &call->image))
         return false;
     bool ok = (!surface_layers_move(call->text) || find_motion(call->of, &motion)) &&
               aov_append(renderer, call->text, &motion, &call->image);
@@ -420,6 +436,18 @@ static bool read_layers(void *user) {
     }
     tell_facts(call->of, &call->image);
     return true;
+}
+
+static bool read_layers(void *user) {
+    struct call *call = user;
+    char *others = NULL;
+    if (!check_frame(call->of))
+        return false;
+    unsigned layers = take_layers(&call->of->renderer, call->text, &others);
+    call->text = others;
+    bool ok = append_layers(call, layers);
+    free(others);
+    return ok;
 }
 
 enum manylight_status manylight_read(struct manylight_renderer *renderer, const char *outputs,

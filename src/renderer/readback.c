@@ -50,6 +50,20 @@ static bool has_row(const struct renderer *renderer, int row, unsigned layers) {
     }
 }
 
+unsigned renderer_layer_bit(const struct renderer *renderer, const char *name) {
+    size_t length = strlen(name);
+    for (int i = 0; i < ROWS; i++) {
+        int layer = layer_rows[i].layer;
+        const char *prefix = layer_rows[i].prefix;
+        const char *plain = layer == LAYER_BEAUTY ? "beauty" : layer == LAYER_DEPTH ? "Z" : NULL;
+        if ((plain ? strcmp(name, plain) == 0
+                   : strncmp(prefix, name, length) == 0 && strcmp(prefix + length, ".") == 0) &&
+            has_row(renderer, i, ~0U))
+            return 1U << layer;
+    }
+    return 0;
+}
+
 static void read_layers(struct renderer *renderer, unsigned layers, struct image *image,
                         const struct layer_target *target) {
     struct timers untimed = {0};

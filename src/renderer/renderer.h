@@ -180,6 +180,10 @@ void renderer_compose(struct renderer *renderer, int layer);
  * the context is lost. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 
+/* Returns the bit 1 << LAYER_... of a layer that the renderer has, "beauty", "Z" or "direct"; 0: it
+ * has none of this name. */
+unsigned renderer_layer_bit(const struct renderer *renderer, const char *name);
+
 /* Reads only the layers whose bits 1 << LAYER_... are set. */
 bool renderer_read_some(struct renderer *renderer, unsigned layers, struct image *image);
 

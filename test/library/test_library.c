@@ -436,6 +436,10 @@ TEST(layers) {
     check_failed(manylight_read_display(renderer, NULL, rgba, 3), MANYLIGHT_BAD_ARGUMENT,
                  "no room in 3");
     manylight_image_free(image);
+    check_call("read", manylight_read(renderer, "albedo,val,id.node", &image));
+    assert_int_equal(manylight_image_channel_count(image), 1 + 3 + 3 + 1);
+    assert_true(manylight_image_pixels(image)[0] == floats[0]);
+    manylight_image_free(image);
     manylight_renderer_free(renderer);
     manylight_scene_free(scene);
     manylight_device_free(device);
