@@ -331,7 +331,7 @@ enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
 MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
                                                enum manylight_part part, uint32_t id);
 
-/* Returns the bits of a name's id in Cryptomatte. */
+/* Returns the bits of a name's id in Cryptomatte; NULL: 0. */
 MANYLIGHT_API uint32_t manylight_matte_id(const char *name);
 
 /* Change a part of a scene without clips, by its id; manylight_view.light changes lights. Renderers

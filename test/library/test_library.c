@@ -435,6 +435,8 @@ TEST(layers) {
     check_call("display", manylight_read_display(renderer, "indirect", rgba, sizeof rgba));
     check_failed(manylight_read_display(renderer, NULL, rgba, 3), MANYLIGHT_BAD_ARGUMENT,
                  "no room in 3");
+    assert_int_equal(manylight_matte_id("bunny"), 0x13851a76);
+    assert_int_equal(manylight_matte_id(NULL), 0);
     manylight_image_free(image);
     check_call("read", manylight_read(renderer, "albedo,val,id.node", &image));
     assert_int_equal(manylight_image_channel_count(image), 1 + 3 + 3 + 1);
