@@ -140,7 +140,7 @@ def check_batch(device):
 def check_renderer(device):
     """Parameters of frames are not those of a renderer."""
     for more in ({"layers": ["Z"]}, {"light": "0"}, {"camera": ABOVE}):
-        refuse(f"{next(iter(more))}: of each frame", lambda: device.renderer(scene_of(), (9, 9), **more))
+        refuse(f"{next(iter(more))}: pass it to Renderer.render", lambda: device.renderer(scene_of(), (9, 9), **more))
 
 
 def check_colors(device):
