@@ -223,6 +223,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .facets = sends_as_facets(desc),
+        .normal_maps = desc->specular && materials_have_normal_maps(desc->scene),
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
         .by_importance = many_lights_follow_camera(lights),

@@ -37,9 +37,11 @@ static bool init_programs(struct near_field_pass *pass) {
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
-    char *of_light = mem_printf(
-        "%s%sLIGHTS %d;MAP_KINDS %d;FACETS %d", light_defines(pass->desc.medium, pass->desc.slides),
-        pass->desc.by_importance ? "BY_IMPORTANCE;" : "", room, kinds, pass->desc.facets);
+    char *of_light = mem_printf("%s%s%sLIGHTS %d;MAP_KINDS %d;FACETS %d",
+                                light_defines(pass->desc.medium, pass->desc.slides),
+                                pass->desc.by_importance ? "BY_IMPORTANCE;" : "",
+                                pass->desc.normal_maps ? "HAS_NORMAL_MAPS;" : "", room, kinds,
+                                pass->desc.facets);
     static const char format[] = "OCCLUSION %d;RECEIVERS %d;%s";
     bool by_rays = pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED,

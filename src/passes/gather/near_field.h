@@ -31,6 +31,7 @@ struct near_field_desc {
     int occlusion;               /* NEAR_...; tests by views run only for list entries */
     struct caster_pool *casters; /* for NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* normals of the RSM are those of triangles */
+    bool normal_maps;            /* normals of the G-buffer may be bent off their triangles */
     bool by_importance;          /* an importance map sets the density of VPLs */
     bool medium;                 /* frames have a medium */
     bool slides;                 /* lights may have slides */
