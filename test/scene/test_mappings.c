@@ -218,6 +218,22 @@ TEST(samples_of_bent_normals) {
     assert_int_equal(edges, 0);
 }
 
+static void paint_even(const float direction[3], float radiance[3]) {
+    (void)direction;
+    glm_vec3_broadcast(1, radiance);
+}
+
+/* A square does not light itself: a bent normal faces places in the square's plane, and so does that
+ * of its other side, which the sky lights, too. */
+TEST(other_side_of_bent_normals) {
+    OWNED(stage) stage =
+        open_stage(write_square("{" BASE ", doubleSided: true, normalTexture: {index: 4}}"));
+    set_sky(&stage, 16, 8, paint_even);
+    OWNED(image) drawn = render_stage(&stage, "clustered", "", SIZE);
+    check_at_most("indirect over direct light",
+                  layer_mean(&drawn, "indirect") / layer_mean(&drawn, "direct"), .01);
+}
+
 /* Four textures, four mappings. Two quarters differ by the glow alone. */
 TEST(all) {
     struct pictures pictures;

@@ -86,13 +86,7 @@ bool is_between(surface s, near_arrival representative, bool any) {
 #endif
 
 #ifdef HAS_NORMAL_MAPS
-vec3 near_facet; // the receiver's triangle
-
-// A bent normal faces light from its own triangle's plane, which lies there by the rounding of texels alone.
-float above_facet(vec3 to_sample, float distance2) {
-    const float STEEP = 8.0; // 7 degrees
-    return clamp(STEEP * dot(near_facet, to_sample) * inversesqrt(max(distance2, 1e-30)), 0.0, 1.0);
-}
+vec3 receiver_facet; // the normal of the triangle that the receiver lies on
 #endif
 
 // Where the light's view of that number has the point `ndc`.
@@ -123,7 +117,7 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     vec3 normal = octahedral_unfold(near.normal_code);
     float cosines = max(dot(receiver.normal, to_sample), 0.0) * max(-dot(normal, to_sample), 0.0);
 #ifdef HAS_NORMAL_MAPS
-    cosines *= above_facet(to_sample, distance2);
+    cosines *= above_horizon(receiver_facet, to_sample);
 #endif
     // One division for the normal's length, the share and the distance.
     float reach2 = reach * near.spacing * reach * near.spacing;
@@ -223,7 +217,7 @@ void main() {
     receives = receives && s.present;
     float random = group_random(pixel, params.turn);
 #ifdef HAS_NORMAL_MAPS
-    near_facet = receiver_triangle(s, pixel);
+    receiver_facet = receiver_triangle(s, pixel);
 #endif
 #if LIGHTS == 1 // or none
     irradiance.rgb = near_field(s, receives && slot_light_count > 0, light_at(0), vpl_share_at(0), random);

@@ -39,6 +39,13 @@ vec3 facet_of(surface s, ivec2 pixel) {
     return known && abs(cosine * inverse_length) > FACET_COSINE ? facet * inverse_length : s.normal;
 }
 
+// How far near light lies above the triangle's plane: from 0 in it to 1 at 7 degrees. A bent normal faces places in the plane,
+// and so do those of the triangle's other side.
+float above_horizon(vec3 facet, vec3 to_light) {
+    const float STEEP = 8.0;
+    return clamp(STEEP * dot(facet, to_light) * inversesqrt(max(dot(to_light, to_light), 1e-30)), 0.0, 1.0);
+}
+
 // Whether the triangle of that normal is turned away from what lies there.
 bool is_behind_horizon(vec3 facet, vec3 to_light) {
     return dot(facet, to_light) < -FACET_HORIZON * length(to_light);
