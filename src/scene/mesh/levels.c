@@ -44,7 +44,6 @@ struct level_shape {
 struct work {
     const struct geometry *geometry;
     struct levels *levels;
-    const struct primitive **primitives; /* of each part with levels */
     const struct scene *scene;
 };
 
@@ -73,8 +72,8 @@ static uint32_t piece_begin(const struct primitive *primitive, uint32_t pieces, 
 }
 
 /* Writes for each vertex its piece, from 1, or SHARED. Returns how many vertices are shared. */
-static int find_owners(const struct primitive *primitive, uint32_t pieces, uint32_t *owners) {
-    int shared = 0;
+static uint32_t find_owners(const struct primitive *primitive, uint32_t pieces, uint32_t *owners) {
+    uint32_t shared = 0;
     for (uint32_t p = 0; p < pieces; p++)
         for (uint32_t k = piece_begin(primitive, pieces, p);
              k < piece_begin(primitive, pieces, p + 1); k++) {
@@ -89,24 +88,19 @@ static int find_owners(const struct primitive *primitive, uint32_t pieces, uint3
     return shared;
 }
 
-/* Triangles in no spatial order share most vertices between pieces, and these stay. Such a
- * primitive is one piece. */
-static uint32_t piece_count(const struct primitive *primitive) {
-    uint32_t pieces = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
-    if (pieces < CUT_PIECES)
-        return 1;
-    uint32_t *owners = mem_alloc((size_t)primitive->vertex_count, sizeof *owners);
-    bool is_ordered = find_owners(primitive, pieces, owners) <= primitive->vertex_count / 2;
-    free(owners);
-    return is_ordered ? pieces : 1;
-}
-
-/* Cuts the primitive. Returns for each vertex its piece's diagonal; -1: it is shared. */
+/* Cuts the primitive. Returns for each vertex its piece's diagonal; -1: it is shared. Triangles in
+ * no spatial order would share most vertices, which stay: such a primitive is one piece. */
 static float *cut_shape(struct level_shape *shape) {
     const struct primitive *primitive = shape->primitive;
-    uint32_t vertices = (uint32_t)primitive->vertex_count, pieces = piece_count(primitive);
+    uint32_t vertices = (uint32_t)primitive->vertex_count;
+    uint32_t pieces = (uint32_t)primitive->index_count / 3 / PIECE_TRIANGLES;
     float *sizes = mem_alloc(vertices, sizeof *sizes);
     uint32_t *owners = mem_alloc(vertices, sizeof *owners);
+    if (pieces < CUT_PIECES || find_owners(primitive, pieces, owners) > vertices / 2) {
+        pieces = 1;
+        memset(owners, 0, vertices * sizeof *owners);
+        find_owners(primitive, pieces, owners);
+    }
     shape->piece_count = pieces;
     shape->pieces = mem_alloc(pieces, sizeof *shape->pieces);
     for (uint32_t p = 0; p < pieces; p++) {
@@ -118,7 +112,6 @@ static float *cut_shape(struct level_shape *shape) {
         shape->pieces[p] =
             (struct piece){.diagonal = primitive_diagonal(&part), .left = count, .drawn = count};
     }
-    find_owners(primitive, pieces, owners);
     for (uint32_t v = 0; v < vertices; v++)
         sizes[v] = owners[v] == SHARED ? -1 : owners[v] ? shape->pieces[owners[v] - 1].diagonal : 0;
     free(owners);
@@ -177,18 +170,6 @@ static const struct level_shape *find_shape(const struct levels *levels,
     return bsearch(&key, levels->shapes, (size_t)levels->shape_count, sizeof key, compare_shapes);
 }
 
-static void list_shapes(struct work *work) {
-    struct levels *levels = work->levels;
-    size_t count = (size_t)levels->part_count;
-    levels->shapes = mem_alloc(count, sizeof *levels->shapes);
-    for (size_t i = 0; i < count; i++)
-        levels->shapes[i].primitive = work->primitives[i];
-    qsort(levels->shapes, count, sizeof *levels->shapes, compare_shapes);
-    for (size_t i = 0; i < count; i++)
-        if (i == 0 || levels->shapes[i].primitive != levels->shapes[i - 1].primitive)
-            levels->shapes[levels->shape_count++].primitive = levels->shapes[i].primitive;
-}
-
 /* --- parts ------------------------------------------------------------------------------------ */
 
 static bool is_textured(const struct material *material) {
@@ -205,6 +186,21 @@ static bool has_levels(const struct work *work, const struct geometry_part *part
            !is_textured(&work->scene->materials[primitive->material]);
 }
 
+static void list_shapes(struct work *work) {
+    struct levels *levels = work->levels;
+    const struct geometry *geometry = work->geometry;
+    size_t count = 0;
+    levels->shapes = mem_alloc((size_t)geometry->part_count, sizeof *levels->shapes);
+    for (int i = 0; i < geometry->part_count; i++)
+        if (has_levels(work, &geometry->parts[i]))
+            levels->shapes[count++].primitive =
+                geometry_primitive(work->scene, &geometry->parts[i]);
+    qsort(levels->shapes, count, sizeof *levels->shapes, compare_shapes);
+    for (size_t i = 0; i < count; i++)
+        if (i == 0 || levels->shapes[i].primitive != levels->shapes[i - 1].primitive)
+            levels->shapes[levels->shape_count++].primitive = levels->shapes[i].primitive;
+}
+
 static int compare_parts(const void *a, const void *b) {
     uint32_t x = ((const struct level_part *)a)->first_index;
     uint32_t y = ((const struct level_part *)b)->first_index;
@@ -214,7 +210,7 @@ static int compare_parts(const void *a, const void *b) {
 static void list_pieces(struct work *work, int number) {
     const struct geometry_part *part = &work->geometry->parts[number];
     const struct primitive *primitive = geometry_primitive(work->scene, part);
-    uint32_t pieces = piece_count(primitive);
+    uint32_t pieces = find_shape(work->levels, primitive)->piece_count;
     for (uint32_t p = 0; p < pieces; p++) {
         uint32_t begin = piece_begin(primitive, pieces, p),
                  end = piece_begin(primitive, pieces, p + 1);
@@ -228,14 +224,10 @@ static void list_parts(struct work *work) {
     struct levels *levels = work->levels;
     size_t most = (size_t)geometry->part_count + geometry->index_count / 3 / PIECE_TRIANGLES;
     levels->parts = mem_alloc(most, sizeof *levels->parts);
-    work->primitives = mem_alloc(most, sizeof *work->primitives);
     for (int i = 0; i < geometry->part_count; i++)
         if (has_levels(work, &geometry->parts[i]))
             list_pieces(work, i);
     qsort(levels->parts, (size_t)levels->part_count, sizeof *levels->parts, compare_parts);
-    for (int i = 0; i < levels->part_count; i++)
-        work->primitives[i] =
-            geometry_primitive(work->scene, &geometry->parts[levels->parts[i].part]);
 }
 
 /* Adds its triangles by level. */
@@ -270,9 +262,9 @@ void levels_init(struct levels *levels, const struct scene *scene,
                  const struct geometry *geometry) {
     *levels = (struct levels){0};
     struct work work = {.geometry = geometry, .levels = levels, .scene = scene};
-    list_parts(&work);
     list_shapes(&work);
     parallel_for((size_t)levels->shape_count, 0, make_shape, levels);
+    list_parts(&work);
     /* Pages that no triangle fills take no memory. */
     levels->indices =
         mem_alloc((size_t)geometry->index_count * LEVEL_COUNT, sizeof *levels->indices);
@@ -281,7 +273,6 @@ void levels_init(struct levels *levels, const struct scene *scene,
     levels_measure(levels, geometry);
     for (int i = 0; i < levels->shape_count; i++)
         keep_coarsest(&levels->shapes[i]);
-    free(work.primitives);
 }
 
 void levels_measure(struct levels *levels, const struct geometry *geometry) {
