@@ -223,8 +223,8 @@ static void paint_even(const float direction[3], float radiance[3]) {
     glm_vec3_broadcast(1, radiance);
 }
 
-/* A square does not light itself: a bent normal faces places in the square's plane, and so does that
- * of its other side, which the sky lights, too. */
+/* A square does not light itself: a bent normal faces places in the square's plane, and so does
+ * that of its other side, which the sky lights, too. */
 TEST(other_side_of_bent_normals) {
     OWNED(stage) stage =
         open_stage(write_square("{" BASE ", doubleSided: true, normalTexture: {index: 4}}"));
