@@ -4,9 +4,9 @@
 // single patches as blobs.
 //
 // Of the light at a distance a patch sends there g(d^2 / a^2), a^2 = 6.5 A:
-//     g(t) = 1 - (1 - b t - c t^2) / (1 + t^2)^2,  c = (pi - 6) / (pi - 2),  b = 3 - c,
-// as b and c make the integral of g - 1 over t nothing, which is what the inside of a sphere gains, and that over
-// sqrt(t), which is what two walls gain: what lies about a radius away gets what is nearer loses.
+//     g(t) = 1 - (1 - b t - c t^2) / (1 + t^2)^2,  c = (pi - 6) / (pi - 2),  b = 3 - c.
+// With these b and c the integral of g - 1 over t is 0: the inside of a sphere gains nothing. The integral over sqrt(t) is 0,
+// too: two walls gain nothing. What lies about a radius away gets what is nearer loses.
 const float PATCH_SPREAD = 6.5;
 
 float patch_share(float distance2, float area) {

@@ -62,8 +62,6 @@ vpl seed_vpl(int k) {
 #if WEIGHTED
 // How much VPL i counts where VPLs are clustered: by what it would give to the picture, and a little for all, as what is
 // between is not asked and what is hardly seen needs a cluster, too.
-#include "lib/vpl_texels.glsl"
-
 layout(binding = UNIT_VPL_VALUES) uniform sampler2D vpl_values;
 layout(binding = UNIT_VPL_VALUE_SUM) uniform sampler2D vpl_value_sum; // and how many VPLs have light
 

@@ -40,8 +40,6 @@ vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
 #include "passes/lights/vpl_sampled.glsl"
 #endif
 #ifdef VPL_LOBES
-#include "lib/rsm.glsl"
-
 float bend_towards(vpl v, light_view view, ivec2 texel) {
     return surface_bend(v.normal, rsm_surface(view, clamp(texel, ivec2(0), rsm_size(view.kind) - 1)));
 }
