@@ -86,7 +86,7 @@ bool is_between(surface s, near_arrival representative, bool any) {
 #endif
 
 #ifdef HAS_NORMAL_MAPS
-vec3 receiver_facet; // the normal of the triangle that the receiver lies on
+vec3 receiver_facet = vec3(0.0); // the normal of the triangle that the receiver lies on
 #endif
 
 // Where the light's view of that number has the point `ndc`.
