@@ -17,66 +17,107 @@ Vector = Tuple[float, float, float]
 
 @dataclasses.dataclass
 class Material:
-    """A material with metalness and roughness, as of glTF."""
+    """A material with metalness and roughness, as of glTF.
 
-    base_color: Tuple[float, float, float, float] = (1, 1, 1, 1)  #: linear RGBA, 0 to 1
-    metalness: float = 0  #: 0 to 1
-    roughness: float = 1  #: 0 to 1
-    emission: Vector = (0, 0, 0)  #: W/(sr m2)
+    Parameters
+    ----------
+    base_color : linear RGBA, 0 to 1
+    metalness, roughness : 0 to 1
+    emission : W/(sr m2)
+    double_sided : the back of its faces is seen, too
+    picture : base colour, sRGB: bytes of a PNG or JPEG file, or a uint8 array (height, width, 3 or 4), row 0 at the
+        top. Its meshes need uvs.
+    """
+
+    base_color: Tuple[float, float, float, float] = (1, 1, 1, 1)
+    metalness: float = 0
+    roughness: float = 1
+    emission: Vector = (0, 0, 0)
     double_sided: bool = False
-    #: Base colour, sRGB: bytes of a PNG or JPEG file, or a uint8 array (height, width, 3 or 4), row 0 at the top. Its
-    #: meshes need uvs.
     picture: Any = None
 
 
 @dataclasses.dataclass
 class Mesh:
     """Triangles of one material, in the world. A face is seen from where its corners go counter-clockwise, unless the
-    material is double-sided."""
+    material is double-sided.
 
-    positions: Any  #: (vertices, 3)
-    indices: Any = None  #: (triangles, 3); None: vertices in their order
-    normals: Any = None  #: (vertices, 3), unit length; None: flat
-    uvs: Any = None  #: (vertices, 2), v down
-    #: (vertices, 4), linear RGBA: floats from 0 to 1, uint8 (255 is 1) or uint16 (65535 is 1), as COLOR_0 of glTF
+    Parameters
+    ----------
+    positions : (vertices, 3), m
+    indices : (triangles, 3); None: vertices in their order
+    normals : (vertices, 3), unit length; None: flat
+    uvs : (vertices, 2), v down as in glTF
+    colors : (vertices, 4), linear RGBA: floats from 0 to 1, uint8 (255 is 1) or uint16 (65535 is 1), as COLOR_0 of glTF
+    material : index of the scene's materials, from 0
+    """
+
+    positions: Any
+    indices: Any = None
+    normals: Any = None
+    uvs: Any = None
     colors: Any = None
-    material: int = 0  #: index of the scene's materials
+    material: int = 0
 
 
 @dataclasses.dataclass
 class Light:
-    """A light. `kind` is "spot", "point", "directional" or "area"."""
+    """A light.
+
+    Parameters
+    ----------
+    kind : "spot", "point", "directional" or "area"
+    position : m
+    direction : of all but points; a spot and an area light shine along it
+    intensity : RGB in W/sr; directional: W/m2; area: W/sr on its axis, its radiance in W/(sr m2) times its area
+    extent : area and spot: width and height, m, or diameter of a disk and 0. Point: diameter of its sphere and 0.
+        Directional: angular diameter, radians, and 0
+    inner_angle : spot: half angle of the cone of full intensity, radians
+    outer_angle : spot: half angle of the whole cone, radians; 0: pi/4
+    up : direction of the height; 0: chosen
+    """
 
     kind: str = "point"
-    position: Vector = (0, 0, 0)  #: m
+    position: Vector = (0, 0, 0)
     direction: Vector = (0, -1, 0)
-    #: W/sr; directional: W/m2; area: W/sr on its axis, which is its radiance in W/(sr m2) times its area
     intensity: Vector = (1, 1, 1)
-    extent: Tuple[float, float] = (0, 0)  #: area: width and height, m; height 0: a disk's diameter
-    inner_angle: float = 0  #: spot: half angle of the cone of full intensity
-    outer_angle: float = 0  #: spot: half angle of the cone; 0: pi/4
-    up: Vector = (0, 0, 0)  #: of lights with a width and a height; 0: chosen
+    extent: Tuple[float, float] = (0, 0)
+    inner_angle: float = 0
+    outer_angle: float = 0
+    up: Vector = (0, 0, 0)
 
 
 @dataclasses.dataclass
 class Camera:
-    """A camera. `fov_y` 0 and `y_extent` above 0: orthographic. With `right`, the axes `forward`, `up` and `right` are
-    taken as they are: at right angles, `forward` of length 1. A longer `right` widens the picture."""
+    """A camera.
 
-    eye: Vector = (0, 0, 0)  #: m
+    Parameters
+    ----------
+    eye : m
+    forward, up : directions
+    fov_y : vertical angle of view, radians; of a fisheye up to 2 pi
+    y_extent : half the height of an orthographic picture, m, with `fov_y` 0
+    near_plane, far_plane : limits of what is seen, along the view, m; 0: none
+    right : 0: made of `forward` and `up`. Else the three axes are taken as they are: at right angles, `forward` of
+        length 1. A longer `right` widens the picture
+    shift : shifted lens: the picture's middle, from the axis to the right and up, in halves of width and height
+    lens : "pinhole", "equirectangular", "cube", "equidistant" or "equisolid"
+    skew : K[0][1] / K[0][0]
+    distortion : OpenCV's 4, 5 or 8 numbers: k1, k2, p1, p2, k3, k4, k5, k6
+    """
+
+    eye: Vector = (0, 0, 0)
     forward: Vector = (0, 0, -1)
     up: Vector = (0, 1, 0)
-    fov_y: float = 0.8  #: vertical angle of view, radians
-    y_extent: float = 0  #: half the height of an orthographic picture, m
-    near_plane: float = 0  #: m; what is nearer is not seen
-    far_plane: float = 0  #: m; what is farther is not seen; 0: no end
-    right: Vector = (0, 0, 0)  #: 0: made of `forward` and `up`
-    #: shifted lens: the picture's middle, from the axis to the right and up, in halves of width and height
+    fov_y: float = 0.8
+    y_extent: float = 0
+    near_plane: float = 0
+    far_plane: float = 0
+    right: Vector = (0, 0, 0)
     shift: Tuple[float, float] = (0, 0)
-    #: "pinhole", "equirectangular", "cube", or a fisheye: "equidistant", "equisolid". `fov_y` of a fisheye is up to 2 pi
     lens: str = "pinhole"
-    skew: float = 0  #: K[0][1] / K[0][0]
-    distortion: Sequence[float] = (0,) * 8  #: OpenCV's 4, 5 or 8 numbers: k1, k2, p1, p2, k3, k4, k5, k6
+    skew: float = 0
+    distortion: Sequence[float] = (0,) * 8
 
     @property
     def axes(self) -> np.ndarray:
@@ -104,7 +145,8 @@ class Camera:
         ----------
         intrinsics : the matrix (3, 3), or (fx, fy, cx, cy), pixels
         pose : rigid matrix (4, 4) from camera to world; for extrinsics, from world to camera, take their inverse
-        size : width and height of the pictures that the intrinsics are for
+        size : width and height of the pictures that the intrinsics are for; pictures of other sizes keep the vertical
+            angle of view, and one of another shape shows more or less at left and right
         convention : "opencv": x right, y down, z forward; "opengl": x right, y up, z back (glTF, Blender, pyrender)
         pixel_center : `cx` and `cy` of the first pixel's centre; None: 0 for "opencv", 0.5 for "opengl"
         near_plane, far_plane, distortion : as of `Camera`

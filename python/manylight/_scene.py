@@ -46,9 +46,8 @@ class Scene:
     source : path of a .glb or .gltf file, or the file's bytes; None: from meshes
     path : with bytes, the path whose folder has the files that they name
     meshes, materials, lights, cameras : parts of a scene from arrays (`Mesh`, `Material`, `Light`, `Camera`)
-    light, clip, environment, environment_turn (degrees), environment_strength, strict, root, scene, variant, punctual_scale : as the
-        options of
-        `manylight render`
+    light, clip, environment, environment_turn (degrees), environment_strength, strict, root, scene, variant,
+        punctual_scale : as the options of `manylight render`
     """
 
     def __init__(self, source: "str | os.PathLike[str] | bytes | None" = None, *,
