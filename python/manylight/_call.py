@@ -155,7 +155,7 @@ class Descriptor:
             return vector(member, value, kind.length)
         if kind.kind == "pointer":
             if not isinstance(value, (str, os.PathLike)):
-                raise ArgumentError(f"{member}: {described(value)} is not a text")
+                raise ArgumentError(f"{member}: {described(value)} is not a string")
             return self.keep(ffi.new("char[]", encode(value)))
         number = real(member, value) if kind.cname in ("float", "double") else whole(member, value)
         if member in NOT_DEFAULT_ZERO and number <= 0:

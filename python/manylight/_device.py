@@ -117,7 +117,8 @@ class Renderer:
             return made("image", lib.manylight_read, renderer, encode(",".join(["Z", *wanted])))
         except ArgumentError as error:
             names = layer_names(made("image", lib.manylight_read, renderer, ffi.NULL))
-            raise ArgumentError(f"{error}; layers of every frame: {', '.join(names)}") from None
+            text = str(error).replace("aov: ", "layers: ", 1)
+            raise ArgumentError(f"{text}; layers of every frame: {', '.join(names)}") from None
 
     def display(self, layer: Optional[str] = None) -> np.ndarray:
         """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",
@@ -220,7 +221,7 @@ class Device:
         size : width and height, pixels; 0: those of the camera, 800 along the longer side
         layers : names of layers and of outputs of the technique (`manylight render --aov`); None: all layers
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
-        light : as `manylight render --light`
+        light : as `manylight render --light`, for example "0 position=0,2,0"; an unknown name lists the lights
         time : of the animation, seconds
         motion_step : for "motion.next" and "motion.previous": time between frames, seconds; 0: 1/25
         next_camera, previous_camera : where a `Camera` is in these frames; None: the same
@@ -232,7 +233,8 @@ class Device:
 
         Returns a dict from layer to float32 array, row 0 at the top. "beauty" is linear radiance with coverage,
         (height, width, 4), W/(sr m2). "direct" and "indirect" are irradiance / pi without albedo, "albedo" is a
-        fraction, "normal" a unit vector, each (height, width, 3). "Z" is depth along the view, (height, width), m.
+        fraction, "normal" a unit vector in the world, each (height, width, 3). "Z" is depth along the view,
+        (height, width), m. "normal" and "Z" are of pixel centres; with several passes they are means.
         """
         size_camera = None if isinstance(camera, Camera) else camera
         with self.renderer(scene, size, camera=size_camera, **settings) as renderer:

@@ -13,6 +13,9 @@ from ._errors import ArgumentError, text_of
 #: Layers of surfaces, of frames and of references, that are made where `layers` names them.
 SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous",
                   "crypto.node", "crypto.mesh", "crypto.material")
+#: The other layers of references. Some need an option, or a scene that has them.
+TRACED_LAYERS = ("beauty", "Z", "direct", "indirect", "albedo", "normal", "standard_error", "emitted", "specular",
+                 "airlight", "ao", "unshadowed", "visibility", "caustic", "volume")
 MATTES = SURFACE_LAYERS[-3:]
 RANKS = 3  # layers of a matte in a file, of two ids each
 

@@ -10,7 +10,7 @@ from ._call import (Descriptor, Progress, Work, call, described, encode, made, r
                     width_and_height)
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
-from ._image import SURFACE_LAYERS, Layers, listed, to_layers
+from ._image import SURFACE_LAYERS, TRACED_LAYERS, Layers, layer_of, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of, made_part
 
@@ -142,7 +142,10 @@ def scene_of(scene: "Scene | str | os.PathLike[str]") -> Scene:
 
 def camera_text(camera: Any) -> str:
     """The name or the number of a camera, as text."""
-    return camera if isinstance(camera, str) else str(whole("camera", camera))
+    try:
+        return camera if isinstance(camera, str) else str(whole("camera", camera))
+    except ArgumentError:
+        raise ArgumentError(f"camera: {described(camera)} is neither a Camera, nor a name or a number") from None
 
 
 def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float,
@@ -154,7 +157,7 @@ def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str
     for member, other in (("placed_next", next_camera), ("placed_previous", previous_camera)):
         if other is not None:
             if not isinstance(other, Camera) or not isinstance(camera, Camera):
-                raise ArgumentError("next_camera, previous_camera: a Camera, beside a Camera")
+                raise ArgumentError("next_camera, previous_camera: a Camera each, and camera one too")
             desc.set(member, desc.keep(camera_desc(other)).pointer)
     if isinstance(camera, Camera):
         desc.set("placed", desc.keep(camera_desc(camera)).pointer)
@@ -198,6 +201,9 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     if "spp" in more:
         raise ArgumentError("spp: the parameter is called samples")
     work, wanted = Work(progress), listed(layers)
+    for layer in wanted or ():
+        if layer not in SURFACE_LAYERS and layer_of(layer) not in TRACED_LAYERS:
+            raise ArgumentError(f"layers: {layer!r} is none of {', '.join(TRACED_LAYERS + SURFACE_LAYERS)}")
     view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
     surfaces = ",".join(layer for layer in wanted or () if layer in SURFACE_LAYERS)
     desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,

@@ -221,7 +221,7 @@ static bool check_light(const struct manylight_light *light) {
            desc_check("outer_angle", outer, 0, 1.5708) &&
            desc_check("inner_angle", (double)light->inner_angle, 0, outer * 1.00001) &&
            (light->extent[0] > 0 || (light->type != MANYLIGHT_AREA && light->extent[1] == 0) ||
-            error_set("extent: an area light has a width, and so has one with a height"));
+            error_set("extent: the width is 0"));
 }
 
 static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {

@@ -103,7 +103,7 @@ static bool reshape(const struct change *change) {
 }
 
 static bool refuse_id(const char *part, uint32_t id, int last) {
-    error_set("%s %u: there is 1 to %d", part, id, last);
+    error_set("%s %u: the scene has 1 to %d", part, id, last);
     return door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
@@ -144,7 +144,8 @@ static bool set_node(const struct change *change) {
         is_affine = isfinite(node.matrix[i % 4 * 4 + i / 4]);
     }
     if (!is_affine)
-        return error_set("node %u: its matrix is not finite with the last row 0 0 0 1", change->id);
+        return error_set("node %u: its matrix is not finite, or its last row not 0 0 0 1",
+                         change->id);
     lists->nodes[change->id - 1] = node;
     return true;
 }

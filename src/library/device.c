@@ -135,7 +135,7 @@ static bool open_own(void *user) {
                                               .debug = desc->debug != 0,
                                               .embedded = true});
     if (!device->context)
-        return false;
+        return any_hardware && error_prefix("without allow_software");
     describe(device);
     return desc->allow_software || !device->info.software || refuse_software(device);
 }

@@ -30,7 +30,7 @@ static bool check_sources(const struct manylight_scene_desc *desc) {
         return refuse("manylight_scene_desc: it has meshes, and scene or variant of a file");
     int count = (desc->memory ? 1 : desc->path != NULL) + (desc->mesh_count > 0);
     if (count == 0)
-        return refuse("manylight_scene_desc: it has no path, memory and meshes");
+        return refuse("a scene needs a path, memory or meshes");
     if (count > 1)
         return refuse("manylight_scene_desc: it has meshes and a file");
     /* What a pipe holds is kept as long as the process lives. */

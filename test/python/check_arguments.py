@@ -1,5 +1,7 @@
 """check_arguments.py PROGRAM FOLDER: values of Python and numpy are taken as they are meant, or refused in words."""
+import dataclasses
 import os
+import re
 import subprocess
 import sys
 
@@ -133,7 +135,7 @@ def check_batch(device):
     near("traced", traced["motion.next"], pictures[1]["motion.next"])
     refuse("views: {'eye': 1}: the parts are camera", lambda: list(device.render_batch(
         scene_of(), (9, 9), [{"eye": 1}], vpls=64)))
-    refuse("beside a Camera", lambda: device.render(scene_of(), (9, 9), next_camera=places[0], vpls=64))
+    refuse("camera one too", lambda: device.render(scene_of(), (9, 9), next_camera=places[0], vpls=64))
     refuse("step: -1 is not from 0", lambda: device.render(scene_of(), (9, 9), motion_step=-1, vpls=64))
 
 
@@ -220,7 +222,25 @@ def check_numbers(device):
     for member, value in (("noise", -1), ("noise", np.nan), ("samples", -1), ("bounces", -1), ("bounces", .5),
                           ("paths", -1), ("threads", -1), ("ao_distance", np.inf), ("seed", 2 ** 40)):
         refuse(f"{member}: ", lambda: manylight.reference(scene, (9, 9), **{member: value}))
+    refuse("is neither a Camera, nor", lambda: device.render(scene, (9, 9), camera=np.eye(4)))
+    refuse("a scene needs", Scene)
     refuse("environment_strength", lambda: Scene("scenes/cornell-box.glb", environment_strength=0))
+
+
+def check_layers(device):
+    """References have every layer that `layers` may name, and refuse others before they trace."""
+    gem, options = "scenes/gem.glb", dict(samples=1, seen=True, ao_distance=1, light_paths=100)
+    every = list(manylight.reference(gem, (4, 4), **options))
+    assert list(manylight.reference(gem, (4, 4), layers=every, **options)) == every and len(every) == 24
+    refuse("layers: 'normals' is none of beauty, ", lambda: manylight.reference(gem, (9999, 9999), layers=["normals"]))
+    refuse("layers: technique ", lambda: device.render(scene_of(), (9, 9), layers=["normals"]))
+
+
+def check_help():
+    """`help` names each member of a part."""
+    for part in (Camera, Light, Material, Mesh):
+        for member in dataclasses.fields(part):
+            assert re.search(rf"^    (\w+, )*{member.name}(, \w+)* : ", part.__doc__, re.M), (part, member.name)
 
 
 def check_images(device):
@@ -268,6 +288,8 @@ def main():
         check_meshes()
         check_pictures(device)
         check_numbers(device)
+        check_layers(device)
+        check_help()
         check_images(device)
 
 

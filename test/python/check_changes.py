@@ -141,9 +141,9 @@ def check_file(device):
 def check_refusals(device):
     """A refused change leaves the scene what it was; one that cannot be shown ends it."""
     scene, picture = scene_of(), np.zeros((2, 2, 3), np.uint8)
-    for words, call in (("node 9: there is 1 to 5", lambda: scene.set_node(9, np.eye(4))),
+    for words, call in (("node 9: the scene has 1 to 5", lambda: scene.set_node(9, np.eye(4))),
                         ("node: -1", lambda: scene.set_node(-1, np.eye(4))),
-                        ("last row 0 0 0 1", lambda: scene.set_node(1, moved(np.nan))),
+                        ("last row not 0 0 0 1", lambda: scene.set_node(1, moved(np.nan))),
                         ("shape (3, 4)", lambda: scene.set_node(1, np.eye(4)[:3])),
                         ("mesh 1: the position of vertex 0", lambda: scene.set_mesh(1, sheet(np.nan, np.nan))),
                         ("mesh 1: material: it keeps", lambda: scene.set_mesh(1, Mesh(np.eye(3), material=1))),
