@@ -127,11 +127,11 @@ class Scene:
         call(lib.manylight_scene_set_sky, self._handle, ffi.NULL if path is None else ffi.new("char[]", encode(path)),
              real("turn", turn), real("strength", strength))
 
-    def camera(self, text: Optional[str] = None, time: float = 0) -> Camera:
-        """Where a camera is at a time (s): `text` as of `manylight render --camera`; None: the first."""
+    def camera(self, text: "str | int | None" = None, time: float = 0) -> Camera:
+        """Where a camera is at a time (s): name, number or `text` of `manylight render --camera`; None: the first."""
         out = Descriptor("camera").pointer
-        name = ffi.NULL if text is None else ffi.new("char[]", encode(text))
-        call(lib.manylight_scene_camera, self._handle, name, time, out)
+        name = ffi.NULL if text is None else ffi.new("char[]", encode(camera_text(text)))
+        call(lib.manylight_scene_camera, self._handle, name, real("time", time), out)
         return camera_of(out)
 
 

@@ -222,6 +222,9 @@ def check_numbers(device):
     for member, value in (("noise", -1), ("noise", np.nan), ("samples", -1), ("bounces", -1), ("bounces", .5),
                           ("paths", -1), ("threads", -1), ("ao_distance", np.inf), ("seed", 2 ** 40)):
         refuse(f"{member}: ", lambda: manylight.reference(scene, (9, 9), **{member: value}))
+    assert scene.camera(np.int64(0)) == scene.camera("0") == scene.camera()
+    refuse("camera: 1.5 is neither", lambda: scene.camera(1.5))
+    refuse("time: 'x' is not", lambda: scene.camera(time="x"))
     refuse("is neither a Camera, nor", lambda: device.render(scene, (9, 9), camera=np.eye(4)))
     refuse("a scene needs", Scene)
     refuse("environment_strength", lambda: Scene("scenes/cornell-box.glb", environment_strength=0))
