@@ -63,6 +63,8 @@ def read_mattes(image: Any, layer: str) -> np.ndarray:
 def matte(layer: np.ndarray, name: str) -> np.ndarray:
     """The fraction of each pixel that parts of a name cover, from a Cryptomatte layer: float32 (height, width). A part
     without a name is called by kind and number: "node 3"."""
+    if np.shape(layer)[2:] != (2 * RANKS, 2):
+        raise ArgumentError(f"matte: {described(layer)} is no Cryptomatte layer (height, width, {2 * RANKS}, 2)")
     ids, covered = np.ascontiguousarray(layer[..., 0], np.float32).view(np.uint32), layer[..., 1]
     return np.where(ids == lib.manylight_matte_id(encode(name)), covered, np.float32(0)).sum(-1)
 

@@ -6,9 +6,9 @@ from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional
 
 import numpy as np
 
-from ._call import Descriptor
+from ._call import Descriptor, described
 from ._cffi import ffi, lib
-from ._errors import text_of
+from ._errors import ArgumentError, text_of
 
 
 class Setting(NamedTuple):
@@ -87,6 +87,8 @@ def _value(value: Any) -> str:
 
 def settings_text(settings_of_names: Optional[Mapping[str, Any]], keywords: Dict[str, Any]) -> Optional[str]:
     """Settings as the library reads them: name=value with spaces between."""
+    if not isinstance(settings_of_names, (Mapping, type(None))):
+        raise ArgumentError(f"settings: {described(settings_of_names)} is not a dict")
     given = dict(settings_of_names or {})
     if keywords:
         known = [setting.name for setting in settings()]

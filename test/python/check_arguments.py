@@ -236,6 +236,8 @@ def check_layers(device):
     every = list(manylight.reference(gem, (4, 4), **options))
     assert list(manylight.reference(gem, (4, 4), layers=every, **options)) == every and len(every) == 24
     refuse("layers: 'normals' is none of beauty, ", lambda: manylight.reference(gem, (9999, 9999), layers=["normals"]))
+    refuse("is no Cryptomatte layer", lambda: manylight.matte(np.zeros((4, 4), np.uint32), "lamp"))
+    refuse("settings: 'vpls=64' is not a dict", lambda: device.render(scene_of(), (9, 9), settings="vpls=64"))
     refuse("layers: technique ", lambda: device.render(scene_of(), (9, 9), layers=["normals"]))
 
 
