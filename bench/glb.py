@@ -38,11 +38,11 @@ def quad(corner, right, up, material=0):
 
 
 def glb(meshes, materials, **more):
-    """The bytes of a GLB: manylight.Mesh, and materials and other members as glTF's JSON."""
-    parts = Parts()
+    """The bytes of a GLB: meshes of one node, or a list for each mesh; materials and other members as glTF's JSON."""
+    parts, groups = Parts(), meshes if isinstance(meshes[0], list) else [meshes]
     names = sorted({name for material in materials for name in material.get("extensions", {})})
     top = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-           "meshes": [{"primitives": [parts.primitive(mesh) for mesh in meshes]}], "materials": materials,
+           "meshes": [{"primitives": [parts.primitive(mesh) for mesh in group]} for group in groups], "materials": materials,
            "accessors": parts.accessors, "bufferViews": parts.views, "buffers": [{"byteLength": len(parts.data)}], **more}
     text = json.dumps({**top, "extensionsUsed": names} if names else top).encode()
     text += b" " * (-len(text) % 4)

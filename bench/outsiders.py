@@ -1,11 +1,13 @@
-"""make outsiders: POV-Ray, Sunflow and Blender's Cycles beside the reference: rooms, caustics, materials in a furnace.
+"""make outsiders: POV-Ray, Sunflow and Blender's Cycles beside the reference: rooms, caustics, materials, halls.
 
-    PYTHONPATH=build/python python3 bench/outsiders.py FOLDER rooms|caustics|materials...
+    PYTHONPATH=build/python python3 bench/outsiders.py FOLDER rooms|caustics|materials|halls...
 
 Pictures and packs stay in FOLDER. Prints tables in Markdown. A program that is not installed has no rows.
 """
+import csv
 import math
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -217,8 +219,81 @@ def materials(folder):
         print(f"| {name} | {', '.join(f'{albedo:.4g}' for albedo in albedos)} | {off} |")
 
 
+# --- halls: the path tracer, the frame and Cycles in the same time ----------------------------------
+
+
+HALL_SIZE = ("--size", "240x160")
+HALL_METHODS = {"default frame": ("render",), "4 spp": ("reference", "--spp", 4), "16 spp": ("reference", "--spp", 16),
+                "4 spp, denoised": ("reference", "--spp", 4, "--denoise")}
+
+
+def seconds(path, *command):
+    """The beauty of the picture that a command makes, and the CPU seconds of the process. Both are kept."""
+    if not os.path.exists(path + ".cpu"):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        run(*command)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        with open(path + ".cpu", "w") as file:
+            file.write(str(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime))
+    with open(path + ".cpu") as file:
+        return manylight.read(path)["beauty"][..., :3], float(file.read())
+
+
+def frame_seconds(folder, path):
+    """CPU seconds of a frame after the first."""
+    table = f"{folder}/{os.path.basename(path)}.csv"
+    if not os.path.exists(table):
+        run(BINARY, "bench", "times", path, *HALL_SIZE, "--variant", "fast", "--whole-frames", "--frames", 3, "--csv", table)
+    with open(table) as file:
+        return next(float(row["value"]) for row in csv.DictReader(file) if row["what"] == "cpu") / 1000
+
+
+def hall(folder, scene):
+    path = f"{folder}/halls/{scene}.glb"
+    pack = packed(folder, path, f"packs/{scene}", *HALL_SIZE)
+
+    def own(name, command, *options):
+        picture = f"{folder}/{scene}.{name.replace(' ', '-')}.exr"
+        return seconds(picture, BINARY, command, path, *HALL_SIZE, "-q", "-o", picture, *options)
+
+    def cycles(spp, seed=0):
+        entry = f"{folder}/{scene}.cycles.{spp}.{seed}"
+        return seconds(f"{entry}/{scene}.240x160.exr", *PROGRAMS["blender"], entry, pack, "--spp", spp, "--seed", seed)
+
+    def line(few, many, draw):
+        """CPU seconds without samples, and of a sample."""
+        each = (draw(many)[1] - draw(few)[1]) / (many - few)
+        return draw(few)[1] - few * each, each
+    pair = [own(f"reference {seed}", "reference", "--spp", 64, "--seed", seed)[0] for seed in (100, 101)]
+    reference = np.add(*pair) / 2
+
+    def errors(picture, other=reference):
+        figures = [manylight.compare(picture, other, metric=metric) for metric in ("relative-rmse", "relative-bias", "hdr-flip")]
+        return f"{100 * figures[0]:.3g} %, {percent(figures[1])}, {figures[2]:.2g}"
+    print(f"| {scene} | noise of the reference | | {errors(pair[0], reference)} | {errors(cycles(512, 1)[0])} at 512 spp | |")
+    start, each = line(4, 64, lambda spp: cycles(spp))
+    own_start, _ = line(1, 4, lambda spp: own(f"{spp} spp", "reference", "--spp", spp))
+    for name, command in HALL_METHODS.items():
+        for i in range(4 if command[0] == "render" else 1):  # until the shader cache is full
+            picture, whole = own(f"{name}{' again' * i}", *command)
+        rest = frame_seconds(folder, path) if command[0] == "render" else whole - own_start
+        row = f"| {scene} | {name} | {whole:.3g}, {rest:.3g} | {errors(picture)} |"
+        for time in (whole - start, rest):
+            spp = round(time / each)
+            row += f" {spp} spp: {errors(cycles(spp)[0])} |" if spp > 0 else " no sample |"
+        print(row, flush=True)
+
+
+def halls(folder):
+    run(sys.executable, f"{os.path.dirname(ENTRIES)}/halls.py", f"{folder}/halls")
+    print("| scene | manylight | CPU s: process, without start | RMSE, bias, FLIP | Cycles in the time of the process |"
+          " in the time without start |\n|---|---|---|---|---|---|")
+    for scene in ("lights", "spheres") if shutil.which("blender") else ():
+        hall(folder, scene)
+
+
 def main():
-    kinds = {"rooms": rooms, "caustics": caustics, "materials": materials}
+    kinds = {"rooms": rooms, "caustics": caustics, "materials": materials, "halls": halls}
     folder, *names = sys.argv[1:] or [None]
     if not names or set(names) - set(kinds):
         sys.exit(__doc__)

@@ -2,7 +2,7 @@
 
     blender -b --factory-startup -P bench/entries/blender/entry.py -- ENTRY PACK... [OPTION ...]
 
-ENTRY is the folder to fill, PACK a folder that `manylight export` made. Tried with Blender 3.4.
+ENTRY is the folder to fill, PACK a folder that `manylight export` made. Tried with Blender 3.4 and 4.3.
 """
 import argparse
 import json
@@ -106,11 +106,12 @@ def build_material(material, source, pack):
     if not old:  # unlit: stays as it is
         return
     shader = old.outputs[0]
-    color, emission = source_of(old.inputs["Base Color"]), source_of(old.inputs["Emission"])
+    glow = old.inputs["Emission Color" if bpy.app.version >= (4, 0, 0) else "Emission"]
+    color, emission = source_of(old.inputs["Base Color"]), source_of(glow)
     alpha, strength = source_of(old.inputs["Alpha"]), source_of(old.inputs["Emission Strength"])
     if pack["picture"]["materials"] == "diffuse" or is_diffuse(source):
         shader = tree.add("ShaderNodeBsdfDiffuse", Color=color_of(color), Roughness=0).outputs[0]
-    for link in list(old.inputs["Emission"].links):
+    for link in list(glow.links):
         tree.links.remove(link)
     old.inputs["Emission Strength"].default_value = 0
     if pack["emissive_surfaces"] and any(source.get("emissiveFactor", [0])):
