@@ -125,6 +125,7 @@ END {
     print "  the clock tells little: compare CPU times."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
     print "- Relative errors of indirect light need a reference with indirect light and at most 25 % noise."
+    print "- Cycles in the same time as manylight: [halls](../docs/notes/outsiders.md) of 1,000 lights and 10 million triangles."
     printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; %s.\n", scene_count, method_count,
         rows, failed, faulty, commits_shown()
     for (i = 1; i <= device_count; i++)
