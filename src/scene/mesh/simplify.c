@@ -225,29 +225,43 @@ static bool like_normals(const struct patch *patch, uint32_t a, uint32_t b) {
            glm_vec3_dot(patch->normal[a], patch->normal[b]) >= least_normal_cosine;
 }
 
-/* Along a border a vertex moves along it alone. */
+/* What comes first; INFINITY: it strays too far. In sum, so that what stands for little goes first.
+ */
+static float order_of(const struct patch *patch, uint32_t from, uint32_t to) {
+    const struct quadric *quadric = &patch->quadrics[from];
+    float strayed = quadric_distance(quadric, patch->position[to]);
+    float length = glm_vec3_distance(patch->position[from], patch->position[to]);
+    return strayed > error_at(patch, from)
+               ? INFINITY
+               : sqrtf((float)quadric->weight) * (strayed + length_weight * length);
+}
+
+/* Along a border a vertex moves along it alone. The cheapest are tried first: a trial costs more
+ * than its order. */
 static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
-    struct collapse best = {from, none, INFINITY};
     struct ring ring;
+    float orders[RING_MAX];
     if ((patch->locked && patch->locked[from]) || !list_ring(patch, from, &ring))
-        return best;
+        return (struct collapse){from, none, INFINITY};
     int border = count_border(&ring);
     if (border != 0 && (border != 2 || patch->desc.holds_borders))
-        return best;
-    /* In sum, so that what stands for little goes first. */
-    float sum = sqrtf((float)patch->quadrics[from].weight);
+        return (struct collapse){from, none, INFINITY};
     for (int i = 0; i < ring.count; i++) {
         uint32_t to = ring.items[i].vertex;
-        if ((border && ring.items[i].triangles != 1) || !like_normals(patch, from, to))
-            continue;
-        float strayed = quadric_distance(&patch->quadrics[from], patch->position[to]);
-        float length = glm_vec3_distance(patch->position[from], patch->position[to]);
-        float order = sum * (strayed + length_weight * length);
-        if (strayed <= error_at(patch, from) && order < best.order &&
-            all_may_move(patch, from, to) && keeps_topology(patch, &ring, &ring.items[i]))
-            best = (struct collapse){from, to, order};
+        bool along = !border || ring.items[i].triangles == 1;
+        orders[i] = along && like_normals(patch, from, to) ? order_of(patch, from, to) : INFINITY;
     }
-    return best;
+    for (;;) {
+        int best = 0;
+        for (int i = 1; i < ring.count; i++)
+            best = orders[i] < orders[best] ? i : best;
+        if (ring.count == 0 || orders[best] == INFINITY)
+            return (struct collapse){from, none, INFINITY};
+        uint32_t to = ring.items[best].vertex;
+        if (all_may_move(patch, from, to) && keeps_topology(patch, &ring, &ring.items[best]))
+            return (struct collapse){from, to, orders[best]};
+        orders[best] = INFINITY;
+    }
 }
 
 /* --- passes ----------------------------------------------------------------------------------- */
