@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The last key at or before the time; there is one. */
+/* The last key at or before the time; there is one. Keys are floats: a key at 1/10 s lies a little
+ * after the double. */
 static int key_before(const struct channel *channel, double time) {
     int low = 0, high = channel->key_count;
     while (high - low > 1) {
         int middle = (low + high) / 2;
-        *((double)channel->times[middle] <= time ? &low : &high) = middle;
+        *(channel->times[middle] <= (float)time ? &low : &high) = middle;
     }
     return low;
 }

@@ -56,6 +56,24 @@ TEST(interpolation) {
     }
 }
 
+/* Keys at times of frames, which floats round up (1/10, 4/10) and down (7/10), hold from that frame
+ * on. */
+TEST(keys_at_frames) {
+    static const float values[] = {3, 0, 0, 5, 0, 0, -1, 0, 0}, keys[] = {.1F, .4F, .7F};
+    static const double expected[] = {3, 3, 3, 3, 5, 5, 5, -1, -1};
+    float extra[EXTRA_FLOATS];
+    memcpy(extra, keys, sizeof keys);
+    memcpy(extra + VALUES, values, sizeof values);
+    OWNED(scene) scene;
+    check_ok("clip",
+             load_parts(&scene, "frames.glb",
+                        &(struct gltf_parts){.accessors = CLIP_ACCESSORS("count: 3, type: VEC3"),
+                                             .more = CLIPS(CLIP("translation", "STEP")),
+                                             EXTRA(extra)}));
+    for (int i = 0; i < 9; i++)
+        check_near("x", (double)translation_x(&scene, i / 10.), expected[i], 0);
+}
+
 /* A cubic through keys of x = t^3 with its tangents is t^3. */
 TEST(cubic) {
     static const double keys[3] = {1, 2, 4};
