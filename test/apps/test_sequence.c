@@ -206,11 +206,11 @@ TEST_WITH(views, open_group_context, close_group_context) {
         {"0\n", "--frames 1", "there is no view 1 in", 2},
     };
     write_text(scratch("views.txt"),
-               "# two\n0 eye=0,1,4 forward=0,0,-1\r\n\n  time=.5 0 shift=.2,0\n");
-    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/v.#.exr --cameras @/views.txt");
-    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/0.exr "
+               "# two\n0 eye=0,1,4 forward=0,0,-1\r\n\n  time=2.3 0 shift=.2,0\n");
+    expect(0, "% render scenes/character.glb --size 24x16 -q -o @/v.#.exr --cameras @/views.txt");
+    expect(0, "% render scenes/character.glb --size 24x16 -q -o @/0.exr "
               "--camera '0 eye=0,1,4 forward=0,0,-1'");
-    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/1.exr --time .5 "
+    expect(0, "% render scenes/character.glb --size 24x16 -q -o @/1.exr --time 2.3 "
               "--camera '0 shift=.2,0'");
     assert_true(same_files("v.0.exr", "0.exr") && same_files("v.1.exr", "1.exr"));
     assert_false(same_files("0.exr", "1.exr"));
