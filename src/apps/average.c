@@ -72,7 +72,9 @@ static bool starts_with(const char *text, const char *start) {
 
 static bool find_weighting(const struct image *image, int channel, struct weighting *by) {
     const char *name = image->names[channel], *colour = strrchr(name, '.');
-    bool received = starts_with(name, "direct.") || starts_with(name, "indirect.");
+    bool received = (starts_with(name, "direct.") || starts_with(name, "indirect.") ||
+                     starts_with(name, "caustic.")) &&
+                    !strstr(name, ".specular.");
     *by = (struct weighting){.albedo = -1, .coverage = -1};
     for (int i = 0; i < OF_SURFACE; i++)
         by->surface[i] = image_find_channel(image, of_surface[i]);

@@ -239,6 +239,33 @@ TEST(split) {
     images_free(&part, &whole);
 }
 
+/* The mean of two pixels, of albedo .2 and .6: light that the albedo multiplies is weighted by it,
+ * other light is not.  The least weight of 1e-6 is the tolerance.
+ */
+TEST(layers_of_average) {
+    static const char *const names[] = {"direct.R", "caustic.R", "direct.specular.R",
+                                        "indirect.specular.R"};
+    static const double expected[] = {2.5, 2.5, 2, 2};
+    char output[2048];
+    for (int i = 0; i < 2; i++) {
+        OWNED(image) image;
+        image_init(&image, 1, 1,
+                   "A albedo.R direct.R caustic.R direct.specular.R indirect.specular.R");
+        const float light = i == 0 ? 1 : 3;
+        memcpy(image.pixels, (float[]){1, i == 0 ? .2F : .6F, light, light, light, light},
+               6 * sizeof(float));
+        image.passes = mem_strdup(i == 0 ? "0" : "1");
+        image.weight = 1;
+        check_ok("write", image_write(&image, scratch(i == 0 ? "l0.exr" : "l1.exr")));
+    }
+    assert_int_equal(manylight("average @/l0.exr @/l1.exr -o @/l.exr", output, sizeof output), 0);
+    OWNED(image) mean;
+    read_scratch(&mean, "l.exr");
+    for (int i = 0; i < 4; i++)
+        check_near(names[i], (double)mean.pixels[image_find_channel(&mean, names[i])], expected[i],
+                   1e-5);
+}
+
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
 TEST(one_pass) {
     char output[2048];
