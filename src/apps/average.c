@@ -9,6 +9,7 @@
 #include "base/file/output_file.h"
 #include "base/file/piped_file.h"
 #include "base/memory.h"
+#include "base/primaries.h"
 
 #include <string.h>
 
@@ -183,6 +184,7 @@ static bool write_mean(struct mean *mean, const char *path) {
     free(image->passes);
     image->passes = frames_text(&mean->passes);
     image->weight = mean->weight;
+    image_add_numbers(image, "chromaticities", IMAGE_CHROMATICITIES, primaries_bt709);
     return image_write(image, path);
 }
 

@@ -87,7 +87,7 @@ static struct image_attribute *add_attribute(struct image *image, const char *na
     size_t count = (size_t)++image->attribute_count;
     image->attributes = mem_resize(image->attributes, count, sizeof *image->attributes);
     struct image_attribute *attribute = image->attributes + count - 1;
-    *attribute = (struct image_attribute){.name = name, .kind = kind};
+    *attribute = (struct image_attribute){.name = mem_strdup(name), .kind = kind};
     return attribute;
 }
 
@@ -104,7 +104,7 @@ void image_add_numbers(struct image *image, const char *name, enum image_attribu
 
 void image_free(struct image *image) {
     for (int i = 0; i < image->attribute_count; i++)
-        free(image->attributes[i].text);
+        mem_free(image->attributes[i].name, image->attributes[i].text);
     free(image->attributes);
     for (int i = 0; i < image->channel_count; i++)
         free(image->names[i]);

@@ -15,7 +15,8 @@ struct image_window {
     int x, y, width, height;
 };
 
-/* Metadata written to EXR files; other formats drop it, and image_read ignores it. */
+/* Metadata written to EXR files; other formats drop it. image_read reads that of this program's
+ * files. */
 enum image_attribute_kind {
     IMAGE_TEXT,
     IMAGE_NUMBER,
@@ -24,7 +25,7 @@ enum image_attribute_kind {
 };
 
 struct image_attribute {
-    const char *name; /* not owned; must outlive the image */
+    char *name; /* owned */
     enum image_attribute_kind kind;
     char *text; /* for IMAGE_TEXT, owned */
     float numbers[16];
@@ -41,7 +42,7 @@ struct image {
      * them. */
     char **parts;
     int part_count;
-    struct image_attribute *attributes; /* attribute_count attributes to write */
+    struct image_attribute *attributes; /* attribute_count attributes */
     int attribute_count;
     /* Set while a file is read: x and y of red, green, blue and white
      * (IMAGE_CHROMATICITIES), and the value that 1 stands for. Zeros: BT.709 and 1. */
@@ -79,7 +80,7 @@ struct image image_pick(const struct image *image, const int *channels, const ch
 /* Appends channels of zeros. */
 void image_add_channels(struct image *image, const char *channel_names);
 
-/* Adds an attribute whose name the image does not have. The text is copied, the name is not. */
+/* Adds an attribute whose name the image does not have. Name and text are copied. */
 void image_add_text(struct image *image, const char *name, const char *text);
 void image_add_numbers(struct image *image, const char *name, enum image_attribute_kind kind,
                        const float *numbers);

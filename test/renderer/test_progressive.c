@@ -240,12 +240,13 @@ TEST(split) {
 }
 
 /* The mean of two pixels, of albedo .2 and .6: light that the albedo multiplies is weighted by it,
- * other light is not.  The least weight of 1e-6 is the tolerance.
+ * other light is not. Facts of the first picture stay. The least weight of 1e-6 is the tolerance.
  */
 TEST(layers_of_average) {
     static const char *const names[] = {"direct.R", "caustic.R", "direct.specular.R",
                                         "indirect.specular.R"};
     static const double expected[] = {2.5, 2.5, 2, 2};
+    const float matrix[16] = {1, 2, 3, [15] = 4};
     char output[2048];
     for (int i = 0; i < 2; i++) {
         OWNED(image) image;
@@ -256,6 +257,9 @@ TEST(layers_of_average) {
                6 * sizeof(float));
         image.passes = mem_strdup(i == 0 ? "0" : "1");
         image.weight = 1;
+        image_add_text(&image, "cryptomatte/aaf0e57/name", "crypto_node");
+        image_add_numbers(&image, "manylight:time", IMAGE_NUMBER, &(float){.5F});
+        image_add_numbers(&image, "worldToNDC", IMAGE_MATRIX, matrix);
         check_ok("write", image_write(&image, scratch(i == 0 ? "l0.exr" : "l1.exr")));
     }
     assert_int_equal(manylight("average @/l0.exr @/l1.exr -o @/l.exr", output, sizeof output), 0);
@@ -264,6 +268,10 @@ TEST(layers_of_average) {
     for (int i = 0; i < 4; i++)
         check_near(names[i], (double)mean.pixels[image_find_channel(&mean, names[i])], expected[i],
                    1e-5);
+    assert_int_equal(mean.attribute_count, 3);
+    assert_string_equal(mean.attributes[0].text, "crypto_node");
+    check_near("time", (double)mean.attributes[1].numbers[0], .5, 0);
+    assert_memory_equal(mean.attributes[2].numbers, matrix, sizeof matrix);
 }
 
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */

@@ -269,39 +269,57 @@ static bool read_chunk(const struct source *source, struct image *image, const i
     return ok;
 }
 
-static void take_passes(const struct source *source, struct image *image) {
-    const exr_attribute_t *attribute = NULL;
-    const char *passes = NULL;
-    float weight = 0;
-    int length = 0;
-    exr_get_attribute_by_name(source->file, 0, passes_attribute, &attribute);
-    if (!attribute || attribute->type != EXR_ATTR_STRING ||
-        !good(exr_attr_get_string(source->file, 0, passes_attribute, &length, &passes)))
+/* Attributes of this program's pictures that a picture made of them has, too. Its colours are
+ * those of files without chromaticities. */
+static bool is_kept(const char *name) {
+    static const char *const starts[] = {"manylight:", "cryptomatte/", "worldTo", "software",
+                                         "comments"};
+    bool kept = false;
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
+        kept |= strncmp(name, starts[i], strlen(starts[i])) == 0;
+    return kept && strcmp(name, passes_attribute) != 0 && strcmp(name, weight_attribute) != 0;
+}
+
+static void take_attribute(const exr_attribute_t *from, struct image *image) {
+    const char *name = from->name;
+    bool kept = is_kept(name);
+    switch (from->type) {
+    case EXR_ATTR_STRING:
+        if (strcmp(name, passes_attribute) == 0 && *from->string->str)
+            image->passes = mem_strdup(from->string->str);
+        if (kept)
+            image_add_text(image, name, from->string->str);
         return;
-    image->passes = *passes ? mem_strdup(passes) : NULL;
-    exr_attr_get_float(source->file, 0, weight_attribute, &weight);
-    image->weight = weight;
+    case EXR_ATTR_FLOAT:
+        if (strcmp(name, weight_attribute) == 0)
+            image->weight = from->f;
+        if (strcmp(name, "whiteLuminance") == 0)
+            image->unit = from->f;
+        if (kept)
+            image_add_numbers(image, name, IMAGE_NUMBER, &from->f);
+        return;
+    case EXR_ATTR_M44F:
+        if (kept)
+            image_add_numbers(image, name, IMAGE_MATRIX, from->m44f->m);
+        return;
+    default:
+        if (from->type == EXR_ATTR_CHROMATICITIES && strcmp(name, "chromaticities") == 0)
+            memcpy(image->primaries, from->chromaticities, sizeof image->primaries);
+        if (from->type == EXR_ATTR_ENVMAP && strcmp(name, "envmap") == 0)
+            image->cube = from->uc == EXR_ENVMAP_CUBE;
+    }
 }
 
 _Static_assert(sizeof(exr_attr_chromaticities_t) == 8 * sizeof(float), "x and y of four colours");
 
-/* What the file says of its colours and of its projection; the attributes are optional. */
-static void take_meaning(const struct source *source, struct image *image) {
-    exr_attr_chromaticities_t colours;
-    const exr_attribute_t *attribute = NULL;
-    exr_get_attribute_by_name(source->file, 0, "chromaticities", &attribute);
-    if (attribute && good(exr_attr_get_chromaticities(source->file, 0, "chromaticities", &colours)))
-        memcpy(image->primaries, &colours, sizeof image->primaries);
-    attribute = NULL;
-    exr_get_attribute_by_name(source->file, 0, "whiteLuminance", &attribute);
-    if (attribute)
-        exr_attr_get_float(source->file, 0, "whiteLuminance", &image->unit);
-    exr_envmap_t envmap = EXR_ENVMAP_LATLONG;
-    attribute = NULL;
-    exr_get_attribute_by_name(source->file, 0, "envmap", &attribute);
-    if (attribute)
-        exr_attr_get_envmap(source->file, 0, "envmap", &envmap);
-    image->cube = envmap == EXR_ENVMAP_CUBE;
+static void take_attributes(const struct source *source, struct image *image) {
+    const exr_attribute_t *attribute;
+    int32_t count = 0;
+    exr_get_attribute_count(source->file, 0, &count);
+    for (int32_t i = 0; i < count; i++)
+        if (good(exr_get_attribute_by_index(source->file, 0, EXR_ATTR_LIST_FILE_ORDER, i,
+                                            &attribute)))
+            take_attribute(attribute, image);
 }
 
 static bool read_lines(const struct source *source, struct image *image, const int *at) {
@@ -339,8 +357,7 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     image_init_named(image, source->width, source->height, names, count);
     image->display = image->data = (struct image_window){source->window.min.x, source->window.min.y,
                                                          source->width, source->height};
-    take_passes(source, image);
-    take_meaning(source, image);
+    take_attributes(source, image);
     error_set("cannot be decoded");
     bool ok = read_lines(source, image, at);
     mem_free(names, at);
