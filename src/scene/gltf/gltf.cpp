@@ -11,6 +11,7 @@ extern "C" {
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <new>
 
 #include <unistd.h>
 
@@ -124,6 +125,8 @@ extern "C" bool gltf_load(struct scene *scene, const char *path, const struct fi
     tell_mended(loader);
     tell_lacks(loader);
     return true;
+} catch (const std::bad_alloc &) {
+    return error_set_memory("%s: out of memory, while it is read", path);
 } catch (const std::exception &error) {
     /* A JSON library begins with its own name in brackets. */
     const char *bracket = strstr(error.what(), "] ");
