@@ -359,16 +359,28 @@ static double texel_count(const struct scene *scene) {
            (sky ? 2. * sky->width * sky->height : 0);
 }
 
+/* Triangles that emit, which a tree of lights holds. */
+static double emitting_triangles(const struct scene *scene, const struct geometry *geometry) {
+    double count = 0;
+    for (int i = 0; i < geometry->batch_count; i++) {
+        const float *emission = scene->materials[geometry->batches[i].material].emission;
+        if (emission[0] + emission[1] + emission[2] > 0)
+            count += geometry->batches[i].index_count / 3;
+    }
+    return count;
+}
+
 /* Bounds the peak memory of a frame by software OpenGL, which keeps textures and buffers there. A
  * thing's bytes bound what was measured (docs/notes/many-lights.md): nodes and lights are objects
  * of JSON while they are read, and triangles lie in a BVH while casters are made. */
 static void print_memory(struct json *json, const struct scene *scene,
                          const struct geometry *geometry) {
     const double mib = 1 << 20, program = 256, megapixel = 240;
-    const double of_item = 6e3, of_vertex = 120, of_triangle = 700, of_texel = 20;
+    const double of_item = 6e3, of_vertex = 120, of_triangle = 700, of_texel = 20, of_lamp = 1200;
     double bytes = 3 * file_bytes(scene) + of_item * (scene->node_count + scene->light_count) / 2 +
                    of_vertex * geometry->vertex_count +
-                   of_triangle * geometry_triangle_count(geometry) + of_texel * texel_count(scene);
+                   of_triangle * geometry_triangle_count(geometry) + of_texel * texel_count(scene) +
+                   of_lamp * emitting_triangles(scene, geometry);
     json_open(json, "memory", "{");
     fact_number(json, "frame", "memory     at most %.0f MiB for a frame",
                 ceil(program + bytes / mib));
