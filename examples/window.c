@@ -1,10 +1,10 @@
-/* A window of the program's own, whose OpenGL context libmanylight uses. The camera turns about the
- * scene.
+/* A window of the program's own that shows pictures of libmanylight. The camera moves to and fro.
  *
  *     cc window.c -o window $(pkg-config --cflags --libs manylight glfw3 gl) -lm
  *     ./window scene.glb [FRAMES]
  *
- * The library leaves OpenGL's state as it was. The program draws on as if nothing had happened. */
+ * The library has a context of its own, that of a hidden window which shares textures with the
+ * shown one. So the state of the program's context stays. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -23,19 +23,23 @@ static void *get_proc(void *user, const char *name) {
     return (void *)glfwGetProcAddress(name);
 }
 
-static int make_current(void *user) {
-    glfwMakeContextCurrent(user);
-    return 0;
-}
-
 struct parts {
-    GLFWwindow *window;
+    GLFWwindow *window, *library; /* shown; hidden, with the library's context */
     struct manylight_device *device;
     struct manylight_scene *scene;
     struct manylight_renderer *renderer;
     struct manylight_scene_info info;
     GLuint framebuffer; /* to copy the library's texture from */
 };
+
+static int make_current(void *user) {
+    glfwMakeContextCurrent(((struct parts *)user)->library);
+    return 0;
+}
+
+static void release_current(void *user) {
+    glfwMakeContextCurrent(((struct parts *)user)->window);
+}
 
 static int open_window(struct parts *parts) {
     if (!glfwInit())
@@ -44,7 +48,9 @@ static int open_window(struct parts *parts) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     parts->window = glfwCreateWindow(WIDTH, HEIGHT, "manylight in a window", NULL, NULL);
-    if (!parts->window)
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    parts->library = glfwCreateWindow(1, 1, "", NULL, parts->window);
+    if (!parts->window || !parts->library)
         return 0;
     glfwMakeContextCurrent(parts->window);
     glCreateFramebuffers(1, &parts->framebuffer);
@@ -55,7 +61,8 @@ static int open_library(struct parts *parts, const char *path) {
     struct manylight_host host = {.size = sizeof host,
                                   .get_proc = get_proc,
                                   .make_current = make_current,
-                                  .user = parts->window};
+                                  .release_current = release_current,
+                                  .user = parts};
     struct manylight_device_desc device = {.size = sizeof device, .host = &host};
     struct manylight_scene_desc scene = {.size = sizeof scene, .path = path};
     struct manylight_renderer_desc renderer = {

@@ -7,7 +7,6 @@
 #include "gl/context/context.h"
 #include "library/desc.h"
 #include "library/door.h"
-#include "library/host_state.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
@@ -44,7 +43,6 @@ struct manylight_device {
     struct manylight_device_info info;
     /* Adopted devices. */
     struct manylight_host host;
-    struct host_state *state;
     pthread_mutex_t busy;
     atomic_bool is_busy;
     _Atomic(pthread_t) user; /* while is_busy */
@@ -86,10 +84,8 @@ static void leave_host(struct manylight_device *device) {
 static bool do_in_host(struct manylight_device *device, worker_job *job, void *context) {
     if (!enter_host(device))
         return false;
-    host_state_save(device->state);
     bool ok = context_bind(device->context) && job(context);
     context_bind(NULL);
-    host_state_restore(device->state);
     leave_host(device);
     return ok;
 }
@@ -144,15 +140,10 @@ static bool open_adopted(struct manylight_device *device) {
     if (!enter_host(device))
         return false;
     asked = &device->host;
-    device->state = host_state_create(ask);
-    if (device->state) {
-        host_state_save(device->state);
-        device->context = context_adopt_embedded(ask);
-        if (device->context)
-            describe(device);
-        context_bind(NULL);
-        host_state_restore(device->state);
-    }
+    device->context = context_adopt_embedded(ask);
+    if (device->context)
+        describe(device);
+    context_bind(NULL);
     leave_host(device);
     return device->context != NULL;
 }
@@ -173,7 +164,6 @@ static bool open_device(struct manylight_device *device, const struct manylight_
 }
 
 static void free_struct(struct manylight_device *device) {
-    host_state_free(device->state);
     pthread_mutex_destroy(&device->busy);
     free(device);
 }

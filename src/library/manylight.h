@@ -121,12 +121,10 @@ typedef int manylight_progress(void *user, double done, const char *note);
 
 /* --- devices ---------------------------------------------------------------------------------- */
 
-/* The caller's OpenGL 4.5 core context, used by all calls of an adopted device.
- *
- * State on return. A call restores bindings of framebuffers, programs, vertex arrays, buffers,
- * textures, samplers and images. It restores viewports, tests, blending, masks, rasterisation,
- * pixel storage and clip control, and clears glGetError. During a call no query, conditional
- * rendering or transform feedback of the caller may be active.
+/* An OpenGL 4.5 core context that the caller made for the library. Calls of an adopted device draw
+ * with it; nothing else may change its state. Make one that shares objects with the context you
+ * draw with, for example by the last argument of glfwCreateWindow: manylight_display_texture is
+ * valid in both, and your own state stays.
  *
  * Keep the context alive until the device and its renderers are freed; freeing them makes it
  * current. */
@@ -452,7 +450,8 @@ MANYLIGHT_API enum manylight_status manylight_read_display(struct manylight_rend
                                                            size_t bytes);
 
 /* Returns the OpenGL name of an RGBA8 2D texture with the same picture, sRGB-encoded, row 0 at the
- * bottom. Adopted devices only. The renderer owns it, and its name may change with each call. */
+ * bottom, complete for all contexts that share objects. Adopted devices only. The renderer owns it,
+ * and its name may change with each call. */
 MANYLIGHT_API enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
                                                               const char *layer, uint32_t *texture,
                                                               int *width, int *height);

@@ -509,6 +509,12 @@ enum manylight_status manylight_read_display(struct manylight_renderer *renderer
     return door_leave(&door, copy_display(renderer, layer, rgba, bytes), MANYLIGHT_FAILED);
 }
 
+static bool compose_for_others(void *user) {
+    bool ok = compose(user);
+    gl.Finish();
+    return ok;
+}
+
 enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
                                                 const char *layer, uint32_t *texture, int *width,
                                                 int *height) {
@@ -518,7 +524,7 @@ enum manylight_status manylight_display_texture(struct manylight_renderer *rende
         device_is_adopted(renderer->device) ||
         error_set("the device has a context of its own, whose textures are for nobody else") ||
         door_blame(MANYLIGHT_BAD_ARGUMENT);
-    ok = ok && do_job(renderer, compose, &(struct call){.of = renderer, .text = layer});
+    ok = ok && do_job(renderer, compose_for_others, &(struct call){.of = renderer, .text = layer});
     if (ok) {
         *texture = renderer->renderer.composite.display.id;
         *width = renderer->renderer.desc.width;
