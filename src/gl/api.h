@@ -105,7 +105,6 @@
     X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                               \
     X(PFNGLCULLFACEPROC, CullFace)                                                                 \
     X(PFNGLDEPTHMASKPROC, DepthMask)                                                               \
-    X(PFNGLCOLORMASKPROC, ColorMask)                                                               \
     X(PFNGLBLENDFUNCPROC, BlendFunc)                                                               \
     X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                       \
     X(PFNGLCLIPCONTROLPROC, ClipControl)                                                           \

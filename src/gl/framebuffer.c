@@ -83,17 +83,11 @@ void framebuffer_free(GLuint *framebuffer) {
     *framebuffer = 0;
 }
 
-static void lift_color_mask(void) {
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
 void framebuffer_clear_color(GLuint framebuffer, int target, const float rgba[4]) {
-    lift_color_mask();
     gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, target, rgba);
 }
 
 void framebuffer_clear_integers(GLuint framebuffer, int target, const GLuint rgba[4]) {
-    lift_color_mask();
     gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, target, rgba);
 }
 

@@ -38,8 +38,7 @@ const struct framebuffer_targets *framebuffer_targets(GLuint framebuffer);
 struct framebuffer_list *framebuffer_list_create(void);
 void framebuffer_list_free(struct framebuffer_list *list);
 
-/* Fills a colour of floats, a colour of integers, or the depth. Framebuffer 0 is the window's.
- * Fills enable all colour channels: a pass that sets kept_colors must begin after them. */
+/* Fills a colour of floats, a colour of integers, or the depth. Framebuffer 0 is the window's. */
 void framebuffer_clear_color(GLuint framebuffer, int target, const float rgba[4]);
 void framebuffer_clear_integers(GLuint framebuffer, int target, const GLuint rgba[4]);
 void framebuffer_clear_depth(GLuint framebuffer, float depth);

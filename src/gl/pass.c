@@ -39,15 +39,12 @@ static const GLenum depth_functions[] = {
 };
 
 static void set_fragments(const struct pass_state *state) {
-    unsigned kept = state->kept_colors;
     enable(GL_DEPTH_TEST, state->depth != PASS_DEPTH_OFF);
     gl.DepthMask(state->depth == PASS_DEPTH_LESS || state->depth == PASS_DEPTH_GREATER);
     gl.DepthFunc(depth_functions[state->depth]);
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
     gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);
-    gl.ColorMask(!(kept & PASS_RED), !(kept & PASS_GREEN), !(kept & PASS_BLUE),
-                 !(kept & PASS_ALPHA));
 }
 
 void pass_set_cull(enum pass_cull cull) {
@@ -71,7 +68,7 @@ static void bind_range(GLenum target, const struct pass_block *block) {
                        (GLsizeiptr)size);
 }
 
-/* All layers: one image unit serves arrays and volumes. */
+/* All layers. */
 static void bind_image(const struct pass_image *image) {
     gl.BindImageTexture(image->image, image->texture->id, image->level, GL_TRUE, 0, image->access,
                         image->texture->desc.format);

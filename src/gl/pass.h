@@ -29,9 +29,6 @@ enum pass_cull {
     PASS_CULL_FRONT,
 };
 
-/* Colour channels as bits. */
-enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
-
 /* OpenGL guarantees 16 textures per stage; drivers for 4.5 offer 32. Specular rays with slides,
  * fog, a sky, sampled lights and reflective maps of both kinds list 23. */
 enum { PASS_TEXTURES_MAX = 32, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
@@ -68,10 +65,9 @@ struct pass_state {
     enum pass_depth depth;
     const struct pixel_mask *mask; /* mask that a screen pass marks or runs at */
     enum pass_blend blend;
-    unsigned kept_colors; /* PASS_RED | ...: channels that are not written */
-    enum pass_cull cull;  /* faces to discard */
-    bool point_size;      /* gl_PointSize sets the size of points; else one pixel */
-    int clip_distances;   /* number of enabled gl_ClipDistance */
+    enum pass_cull cull; /* faces to discard */
+    bool point_size;     /* gl_PointSize sets the size of points; else one pixel */
+    int clip_distances;  /* number of enabled gl_ClipDistance */
     struct pass_texture textures[PASS_TEXTURES_MAX];
     struct pass_block blocks[PASS_BLOCKS_MAX];
     struct pass_block storages[PASS_STORAGES_MAX];

@@ -59,7 +59,7 @@ void screen_begin(const struct pass_state *state) {
     pass.tiled = desc && desc->tiled;
     if (!desc)
         return;
-    assert(!state->window && !state->kept_colors);
+    assert(!state->window);
     if (!desc->marks)
         bind_targets(state->framebuffer, desc);
     bind_mask(state, desc);

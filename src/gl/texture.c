@@ -49,8 +49,7 @@ static size_t storage_bytes(const struct texture_desc *desc) {
     size_t texels = 0;
     for (int level = 0; level < desc->levels; level++)
         texels += (size_t)at_least_one(desc->width >> level) *
-                  (size_t)at_least_one(desc->height >> level) *
-                  (size_t)at_least_one(desc->depth >> level) * (size_t)desc->layers;
+                  (size_t)at_least_one(desc->height >> level) * (size_t)desc->layers;
     return texels * (size_t)desc->samples * texel_bytes(desc->format);
 }
 
@@ -59,30 +58,26 @@ static struct texture_desc resolve(const struct texture_desc *desc) {
     resolved.label = NULL; /* the caller's string need not live on */
     resolved.target = desc->target ? desc->target : GL_TEXTURE_2D;
     resolved.height = at_least_one(desc->height);
-    resolved.depth = at_least_one(desc->depth);
     resolved.layers = at_least_one(desc->layers);
     resolved.levels = at_least_one(desc->levels);
     resolved.samples = at_least_one(desc->samples);
     resolved.wrap_s = desc->wrap_s ? desc->wrap_s : GL_CLAMP_TO_EDGE;
     resolved.wrap_t = desc->wrap_t ? desc->wrap_t : GL_CLAMP_TO_EDGE;
-    resolved.wrap_r = desc->wrap_r ? desc->wrap_r : GL_CLAMP_TO_EDGE;
-    assert(resolved.target == GL_TEXTURE_3D ? resolved.layers == 1 : resolved.depth == 1);
     return resolved;
 }
 
 static bool fits_limits(const char *label, const struct texture_desc *desc) {
-    GLint size, third, samples;
-    bool is_volume = desc->target == GL_TEXTURE_3D;
-    gl.GetIntegerv(is_volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &size);
-    gl.GetIntegerv(is_volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_ARRAY_TEXTURE_LAYERS, &third);
+    GLint size, layers, samples;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
     gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &samples);
     if (desc->samples > samples)
         return error_set("texture '%s': %d samples are above the driver's limit of %d", label,
                          desc->samples, samples);
-    if (desc->width <= size && desc->height <= size && desc->depth * desc->layers <= third)
+    if (desc->width <= size && desc->height <= size && desc->layers <= layers)
         return true;
     return error_set("texture '%s': %dx%dx%d is above the limit of %dx%dx%d", label, desc->width,
-                     desc->height, desc->depth * desc->layers, size, size, third);
+                     desc->height, desc->layers, size, size, layers);
 }
 
 static void allocate(GLuint id, const struct texture_desc *desc) {
@@ -93,7 +88,7 @@ static void allocate(GLuint id, const struct texture_desc *desc) {
         gl.TextureStorage2D(id, desc->levels, desc->format, desc->width, desc->height);
     else
         gl.TextureStorage3D(id, desc->levels, desc->format, desc->width, desc->height,
-                            desc->depth * desc->layers); /* one of them is 1 */
+                            desc->layers);
 }
 
 static void set_sampling(GLuint id, const struct texture_desc *desc) {
@@ -103,7 +98,6 @@ static void set_sampling(GLuint id, const struct texture_desc *desc) {
     gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, (GLint)desc->wrap_s);
     gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, (GLint)desc->wrap_t);
-    gl.TextureParameteri(id, GL_TEXTURE_WRAP_R, (GLint)desc->wrap_r);
 }
 
 bool texture_init(struct texture *texture, const struct texture_desc *desc) {
@@ -123,7 +117,7 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     if (!fits || gl.GetError() != GL_NO_ERROR) {
         texture_free(texture);
         return error_set_memory("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
-                                resolved.width, resolved.height, resolved.depth * resolved.layers,
+                                resolved.width, resolved.height, resolved.layers,
                                 (double)bytes / (1 << 20));
     }
     texture->bytes = bytes;
@@ -142,9 +136,8 @@ void texture_free(struct texture *texture) {
     *texture = (struct texture){0};
 }
 
-int texture_full_levels(int width, int height, int depth) {
+int texture_full_levels(int width, int height) {
     int size = width > height ? width : height, levels = 1;
-    size = size > depth ? size : depth;
     while (size > 1) {
         size >>= 1;
         levels++;

@@ -21,12 +21,11 @@ struct texture_desc {
     GLenum target;     /* default GL_TEXTURE_2D */
     GLenum format;     /* sized internal format; required */
     int width, height; /* pixels; width required; height 1 */
-    int depth;         /* for GL_TEXTURE_3D, halved at each level; 1 */
     int layers;        /* for arrays, the same at each level; 1 */
     int levels;        /* 1 */
     int samples;       /* for GL_TEXTURE_2D_MULTISAMPLE_ARRAY; 1 */
     enum texture_filter filter;
-    GLenum wrap_s, wrap_t, wrap_r; /* GL_CLAMP_TO_EDGE */
+    GLenum wrap_s, wrap_t; /* GL_CLAMP_TO_EDGE */
 };
 
 struct texture {
@@ -52,7 +51,7 @@ void texture_write_bitmap(struct texture *texture, const struct bitmap *bitmap);
 /* Copies an RGBA8 texture's first layer, row 0 at the top. The caller frees the bitmap. */
 void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap);
 
-/* Returns the levels of a full MIP chain. depth: 1 except for GL_TEXTURE_3D. */
-int texture_full_levels(int width, int height, int depth);
+/* Returns the levels of a full MIP chain. */
+int texture_full_levels(int width, int height);
 
 #endif

@@ -216,8 +216,8 @@ TEST(ledger) {
         "texture",
         texture_init(&texture, &FILLED(texture_desc, .label = "test", .target = GL_TEXTURE_2D_ARRAY,
                                        .format = GL_RGBA16F, .width = 8, .height = 4, .layers = 3,
-                                       .levels = texture_full_levels(8, 4, 1))));
-    assert_int_equal(texture_full_levels(8, 4, 1), 4);
+                                       .levels = texture_full_levels(8, 4))));
+    assert_int_equal(texture_full_levels(8, 4), 4);
     assert_int_equal(gpu_memory_total() - before, 8 * 3 * (32 + 8 + 2 + 1));
     check_ok("buffer", buffer_init(&buffer, "test", 100, NULL));
     check_ok("buffer", buffer_init(&empty, "test", 0, NULL));
@@ -273,121 +273,6 @@ TEST(out_of_memory) {
     expect_error("buffer 'long': out of GPU memory (1.0 MiB)");
     context_free(context);
     context_make_current(*state);
-}
-
-enum { WIDE = 8, HIGH = 4, DEEP = 2, LEVELS = 4 };
-
-static uint32_t value_at(int x, int y, int z, int level) {
-    return (uint32_t)(x + 10 * y + 100 * z + 1000 * level);
-}
-
-static int size_at(int size, int level) {
-    return size >> level ? size >> level : 1;
-}
-
-static void check_level(const struct texture *volume, int level) {
-    const int size[3] = {size_at(WIDE, level), size_at(HIGH, level), size_at(DEEP, level)};
-    int wrong = 0;
-    uint32_t texels[WIDE * HIGH * DEEP], *texel = texels;
-    int count = size[0] * size[1] * size[2];
-    gl.GetTextureImage(volume->id, level, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                       (GLsizei)(sizeof *texels * (size_t)count), texels);
-    for (int z = 0; z < size[2]; z++)
-        for (int y = 0; y < size[1]; y++)
-            for (int x = 0; x < size[0]; x++)
-                wrong += *texel++ != value_at(x, y, z, level);
-    printf("    level %d: %d texels, %d wrong\n", level, count, wrong);
-    assert_int_equal(wrong, 0);
-}
-
-/* Each level of a volume, written by a compute shader and read back. */
-TEST_WITH(volume, use_shader_folder, use_embedded_shaders) {
-    GLuint program;
-    struct texture volume;
-    size_t before = gpu_memory_total();
-    write_shader("fill.comp",
-                 "layout(local_size_x = 1) in;\n"
-                 "layout(binding = 0, r32ui) writeonly uniform uimage3D volume;\n"
-                 "layout(location = 0) uniform int level;\n"
-                 "void main() {\n"
-                 "    uvec3 at = gl_GlobalInvocationID;\n"
-                 "    uint value = at.x + 10u * at.y + 100u * at.z + 1000u * uint(level);\n"
-                 "    imageStore(volume, ivec3(at), uvec4(value));\n"
-                 "}\n");
-    check_ok("program", program_init(&program, &(struct program_desc){.compute = "fill.comp"}));
-    struct texture_desc desc = {.label = "volume",
-                                .target = GL_TEXTURE_3D,
-                                .format = GL_R32UI,
-                                .width = WIDE,
-                                .height = HIGH,
-                                .depth = DEEP,
-                                .levels = texture_full_levels(WIDE, HIGH, DEEP)};
-    assert_int_equal(desc.levels, LEVELS);
-    check_ok("texture", texture_init(&volume, &desc));
-    assert_int_equal(gpu_memory_total() - before, 4 * (8 * 4 * 2 + 4 * 2 + 2 + 1));
-    gl.UseProgram(program);
-    for (int level = 0; level < LEVELS; level++) {
-        gl.BindImageTexture(0, volume.id, level, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32UI);
-        gl.ProgramUniform1i(program, 0, level);
-        gl.DispatchCompute((GLuint)size_at(WIDE, level), (GLuint)size_at(HIGH, level),
-                           (GLuint)size_at(DEEP, level));
-    }
-    gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    for (int level = 0; level < LEVELS; level++)
-        check_level(&volume, level);
-    gl.UseProgram(0);
-    program_free(&program);
-    texture_free(&volume);
-}
-
-/* Beyond its last layer a volume repeats or not, as it was told. */
-TEST_WITH(volume_wrap, use_shader_folder, use_embedded_shaders) {
-    static const GLenum wraps[] = {0, GL_REPEAT};
-    static const float expected[] = {1, 0}, texels[] = {0, 1};
-    GLuint program;
-    struct buffer result;
-    write_shader("wrap.comp", "layout(local_size_x = 1) in;\n"
-                              "layout(binding = 0) uniform sampler3D volume;\n"
-                              "layout(std430, binding = 0) buffer results { float result; };\n"
-                              "void main() { result = texture(volume, vec3(.5, .5, 1.25)).x; }\n");
-    check_ok("program", program_init(&program, &(struct program_desc){.compute = "wrap.comp"}));
-    check_ok("buffer", buffer_init(&result, "result", sizeof(float), NULL));
-    for (int i = 0; i < 2; i++) {
-        struct texture volume;
-        float got;
-        struct texture_desc desc = {.label = "volume",
-                                    .target = GL_TEXTURE_3D,
-                                    .format = GL_R32F,
-                                    .width = 1,
-                                    .depth = 2,
-                                    .wrap_r = wraps[i]};
-        check_ok("texture", texture_init(&volume, &desc));
-        gl.TextureSubImage3D(volume.id, 0, 0, 0, 0, 1, 1, 2, GL_RED, GL_FLOAT, texels);
-        gl.UseProgram(program);
-        gl.BindTextureUnit(0, volume.id);
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, result.id);
-        gl.DispatchCompute(1, 1, 1);
-        gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        buffer_read(&result, 0, sizeof got, &got);
-        printf("    wrap %d: %g\n", i, (double)got);
-        assert_true(got == expected[i]);
-        texture_free(&volume);
-    }
-    gl.UseProgram(0);
-    buffer_free(&result);
-    program_free(&program);
-}
-
-/* A volume has a limit of its own, on most drivers below that of pictures. */
-TEST(volume_limit) {
-    struct texture texture;
-    GLint size;
-    gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &size);
-    struct texture_desc desc = {
-        .label = "wide", .target = GL_TEXTURE_3D, .format = GL_R8, .width = size + 1};
-    assert_false(texture_init(&texture, &desc));
-    const char *limit = form("%dx1x1 is above the limit of %dx%dx%d", size + 1, size, size, size);
-    expect_error(limit);
 }
 
 TEST(buffers) {

@@ -21,7 +21,7 @@ static bool init_map(struct texture *texture, const char *label, GLenum format, 
                                      .width = maps->size,
                                      .height = maps->size,
                                      .layers = layers,
-                                     .levels = texture_full_levels(maps->size, maps->size, 1),
+                                     .levels = texture_full_levels(maps->size, maps->size),
                                      .filter = FILTER_TRILINEAR,
                                  });
 }

@@ -18,7 +18,7 @@ static bool init_params(struct depth_bounds_pass *pass) {
 bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count) {
     int base = size / 2;
     *pass = (struct depth_bounds_pass){
-        .maps = {.size = size, .count = count, .levels = texture_full_levels(base, base, 1)}};
+        .maps = {.size = size, .count = count, .levels = texture_full_levels(base, base)}};
     if (program_init(&pass->first_program,
                      &(struct program_desc){.compute = "passes/visibility/depth_bounds.comp",
                                             .defines = "FIRST"}) &&

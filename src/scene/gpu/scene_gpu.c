@@ -142,7 +142,7 @@ static bool upload_texture(struct texture *texture, const struct scene_texture *
                            float cutoff) {
     static const GLenum wraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
     const struct bitmap *bitmap = &source->bitmap;
-    int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height, 1);
+    int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height);
     if (!texture_init(texture, &(struct texture_desc){
                                    .label = "scene textures",
                                    .format = format_of(source),
