@@ -1,5 +1,5 @@
-/* The passes of clustered visibility against second implementations on the CPU: clusters, views,
- * depth maps, bases. */
+/* The passes of clustered visibility in a frame, against second implementations on the CPU: views,
+ * depth maps, bases. test_cluster has the clusters. */
 #include "render_support.h"
 
 #include "passes/maps.h"
@@ -13,40 +13,9 @@ struct frame_of_vals {
     struct stage stage;
     struct renderer renderer;
     const struct val_output *vals;
-    int vpl_count, val_count, iterations;
-    double by_place, by_normal; /* weights of the clustering, of a distance in metres and a turn */
-    struct vpl *vpls;
+    int val_count;
     struct map_view *views;
-    float (*positions)[4], (*normals)[4], (*fluxes)[4]; /* of the VALs */
 };
-
-static float (*read_row(const struct texture *texture, int count))[4] {
-    float(*row)[4] = mem_alloc((size_t)count, sizeof *row);
-    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT, (GLsizei)((size_t)count * sizeof *row),
-                       row);
-    return row;
-}
-
-static bool emits(const struct vpl *vpl) {
-    return vpl->reach > 0;
-}
-
-/* The geometric mean of the distances of VPLs from the first ones. */
-static double spread(const struct frame_of_vals *frame) {
-    double sum = 0, count = 0;
-    for (int i = 0; i < frame->vpl_count; i++)
-        for (int j = 0; j < frame->vpl_count && j < 256; j++) {
-            const struct vpl *a = &frame->vpls[i], *b = &frame->vpls[j];
-            if (!emits(a) || !emits(b))
-                continue;
-            double apart = (double)a->area;
-            for (int c = 0; c < 3; c++)
-                apart += pow((double)a->position[c] - (double)b->position[c], 2);
-            sum += log(apart) / 2;
-            count++;
-        }
-    return exp(sum / fmax(count, 1));
-}
 
 static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
     frame->stage = open_stage(scene);
@@ -56,254 +25,61 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
     struct output_list outputs;
     renderer_outputs(&frame->renderer, &outputs);
     frame->vals = output_vals(&outputs);
-    frame->vpl_count = (int)settings_number(&desc.settings, "vpls");
     frame->val_count = (int)settings_number(&desc.settings, "vals");
-    frame->iterations = (int)settings_number(&desc.settings, "iterations");
-    frame->vpls = read_vpls(&frame->renderer);
-    frame->by_place = settings_number(&desc.settings, "weight-position") / spread(frame);
-    frame->by_normal = settings_number(&desc.settings, "weight-normal") / GLM_PI;
     frame->views = mem_alloc((size_t)frame->val_count, sizeof *frame->views);
     buffer_read(&frame->vals->maps.views->buffer, 0,
                 (size_t)frame->val_count * sizeof *frame->views, frame->views);
-    frame->positions = read_row(frame->vals->positions, frame->val_count);
-    frame->normals = read_row(frame->vals->normals, frame->val_count);
-    frame->fluxes = read_row(frame->vals->fluxes, frame->val_count);
 }
 
 static void close_vals(struct frame_of_vals *frame) {
     renderer_free(&frame->renderer);
     stage_free(&frame->stage);
-    mem_free(frame->vpls, frame->views, frame->positions, frame->normals, frame->fluxes);
+    free(frame->views);
 }
 
-/* --- k-means ---------------------------------------------------------------------------------- */
+/* --- sums of VPLs ----------------------------------------------------------------------------- */
 
-struct means {
-    double position[64][3], normal[64][3], count[64];
-};
-
-static double criterion(const struct frame_of_vals *frame, const struct vpl *vpl,
-                        const struct means *means, int k) {
-    double apart = 0, cosine = 0;
-    for (int c = 0; c < 3; c++) {
-        apart += pow((double)vpl->position[c] - means->position[k][c], 2);
-        cosine += (double)vpl->normal[c] * means->normal[k][c];
-    }
-    double angle = acos(fmax(-1, fmin(1, cosine)));
-    return frame->by_place * sqrt(apart) + frame->by_normal * angle;
-}
-
-/* The nearest, and how much farther the second nearest is. */
-static int nearest(const struct frame_of_vals *frame, const struct vpl *vpl,
-                   const struct means *means, double *margin) {
-    int best = 0;
-    double least = INFINITY, second = INFINITY;
-    for (int k = 0; k < frame->val_count; k++) {
-        double d = criterion(frame, vpl, means, k);
-        if (d < least) {
-            second = least;
-            least = d;
-            best = k;
-        } else if (d < second) {
-            second = d;
+/* The geometric mean of the distances of VPLs from the first ones, and the sum of fluxes. */
+TEST(sums) {
+    enum { VPLS = 512, FIRST = 256 };
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
+    struct output_list outputs;
+    double logs = 0, count = 0, red = 0;
+    float sums[4];
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=512", 16, 16));
+    renderer_outputs(&renderer, &outputs);
+    gl.GetTextureImage(output_vpls(&outputs)->sums.id, 0, GL_RGBA, GL_FLOAT, sizeof sums, sums);
+    struct vpl *vpls = read_vpls(&renderer);
+    for (int i = 0; i < VPLS; i++) {
+        red += (double)vpls[i].flux[0];
+        for (int j = 0; j < FIRST && vpls[i].reach > 0; j++) {
+            if (vpls[j].reach <= 0)
+                continue;
+            logs += log2((double)vpls[i].area +
+                         (double)glm_vec3_distance2(vpls[i].position, vpls[j].position)) /
+                    2;
+            count++;
         }
     }
-    *margin = second - least;
-    return best;
-}
-
-static void iterate_means(const struct frame_of_vals *frame, struct means *means) {
-    struct means sums = {0};
-    double margin;
-    for (int i = 0; i < frame->vpl_count; i++) {
-        const struct vpl *vpl = &frame->vpls[i];
-        if (!emits(vpl))
-            continue;
-        int k = nearest(frame, vpl, means, &margin);
-        sums.count[k]++;
-        for (int c = 0; c < 3; c++) {
-            sums.position[k][c] += (double)vpl->position[c];
-            sums.normal[k][c] += (double)vpl->normal[c];
-        }
-    }
-    for (int k = 0; k < frame->val_count; k++) {
-        double length =
-            sqrt(pow(sums.normal[k][0], 2) + pow(sums.normal[k][1], 2) + pow(sums.normal[k][2], 2));
-        means->count[k] = sums.count[k];
-        for (int c = 0; c < 3 && sums.count[k] > 0; c++) {
-            means->position[k][c] = sums.position[k][c] / sums.count[k];
-            if (length > 1e-6)
-                means->normal[k][c] = sums.normal[k][c] / length;
-        }
-    }
-}
-
-static struct means run_k_means(const struct frame_of_vals *frame) {
-    struct means means = {0};
-    for (int k = 0; k < frame->val_count; k++) {
-        int i = k * frame->vpl_count / frame->val_count;
-        while (!emits(&frame->vpls[i]))
-            i = (i + 1) % frame->vpl_count;
-        for (int c = 0; c < 3; c++) {
-            means.position[k][c] = (double)frame->vpls[i].position[c];
-            means.normal[k][c] = (double)frame->vpls[i].normal[c];
-        }
-    }
-    for (int i = 0; i < frame->iterations; i++)
-        iterate_means(frame, &means);
-    return means;
-}
-
-static void check_means(const struct frame_of_vals *frame, const struct means *means) {
-    double worst_position = 0, worst_normal = 0, worst_count = 0;
-    for (int k = 0; k < frame->val_count; k++) {
-        for (int c = 0; c < 3; c++) {
-            worst_position =
-                fmax(worst_position, fabs((double)frame->positions[k][c] - means->position[k][c]));
-            worst_normal =
-                fmax(worst_normal, fabs((double)frame->normals[k][c] - means->normal[k][c]));
-        }
-        worst_count = fmax(worst_count, fabs((double)frame->positions[k][3] - means->count[k]));
-    }
-    /* Sums of some tens of floats. */
-    check_at_most("VAL positions, over the radius",
-                  worst_position / (double)frame->stage.geometry.radius, 1e-5);
-    check_at_most("VAL normals", worst_normal, 1e-5);
-    check_at_most("VAL counts", worst_count, 0);
-}
-
-/* C(i) is the nearest VAL wherever that is clear: acos of a float near 1 is right to 4e-4 alone. */
-static void check_mapping(const struct frame_of_vals *frame, const struct means *means) {
-    int wrong = 0, clear = 0;
-    for (int i = 0; i < frame->vpl_count; i++) {
-        double margin;
-        int k = nearest(frame, &frame->vpls[i], means, &margin);
-        clear += margin > 1e-4;
-        wrong += margin > 1e-4 && (int)frame->vpls[i].val != k;
-    }
-    assert_true(clear > frame->vpl_count * 9 / 10);
-    assert_int_equal(wrong, 0);
-}
-
-static void check_fluxes(const struct frame_of_vals *frame) {
-    double vpls = 0, vals = 0;
-    for (int c = 0; c < 3; c++) {
-        for (int i = 0; i < frame->vpl_count; i++)
-            vpls += (double)frame->vpls[i].flux[c];
-        for (int k = 0; k < frame->val_count; k++)
-            vals += (double)frame->fluxes[k][c];
-    }
-    check_near("flux of all VALs over that of all VPLs", vals / vpls, 1, 1e-5);
-}
-
-TEST(clusters) {
-    static const char *const settings[] = {
-        "vpls=512 vals=30 interleave=1",
-        "vpls=100 vals=7 interleave=1 iterations=1 weight-normal=2",
-        "vpls=64 vals=64 interleave=1 iterations=2",
-        "vpls=256 vals=1 interleave=1",
-    };
-    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
-        struct frame_of_vals frame;
-        printf("  %s\n", settings[i]);
-        open_vals(&frame, "scenes/cornell-box.glb", settings[i]);
-        struct means means = run_k_means(&frame);
-        check_means(&frame, &means);
-        check_mapping(&frame, &means);
-        check_fluxes(&frame);
-        close_vals(&frame);
-    }
+    check_near("spread", exp2((double)(sums[0] / sums[1])) / exp2(logs / count), 1, 1e-4);
+    check_near("red light", (double)sums[2] / red, 1, 1e-4);
+    free(vpls);
 }
 
 /* --- views ------------------------------------------------------------------------------------ */
-
-/* Of the bounding rectangle of a VAL's VPLs in its plane: the square root of the area. */
-static double extent_of(const struct frame_of_vals *frame, int k) {
-    const struct map_view *view = &frame->views[k];
-    vec3 bitangent;
-    glm_vec3_cross((float *)view->axis, (float *)view->tangent, bitangent);
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    for (int i = 0; i < frame->vpl_count; i++) {
-        if (!emits(&frame->vpls[i]) || (int)frame->vpls[i].val != k)
-            continue;
-        vec3 q;
-        glm_vec3_sub(frame->vpls[i].position, (float *)view->center, q);
-        double st[2] = {(double)glm_vec3_dot(q, (float *)view->tangent),
-                        (double)glm_vec3_dot(q, bitangent)};
-        for (int axis = 0; axis < 2; axis++) {
-            low[axis] = fmin(low[axis], st[axis]);
-            high[axis] = fmax(high[axis], st[axis]);
-        }
-    }
-    return isfinite(low[0]) ? sqrt((high[0] - low[0]) * (high[1] - low[1])) : 0;
-}
-
-static double farthest_corner(const struct geometry *geometry, const float from[3]) {
-    double sum = 0;
-    for (int c = 0; c < 3; c++)
-        sum += pow(fmax(fabs((double)(geometry->bounds_min[c] - from[c])),
-                        fabs((double)(geometry->bounds_max[c] - from[c]))),
-                   2);
-    return sqrt(sum);
-}
-
-/* The view is from that of the VAL's VPLs which is nearest to their mean, as high as that: where
- * VPLs lie on walls. */
-static double off_center(const struct frame_of_vals *frame, int k) {
-    struct means mean;
-    vec3 expected = {INFINITY}, off;
-    double least = INFINITY;
-    for (int c = 0; c < 3; c++) {
-        mean.position[k][c] = (double)frame->positions[k][c];
-        mean.normal[k][c] = (double)frame->normals[k][c];
-    }
-    for (int i = 0; i < frame->vpl_count; i++) {
-        struct vpl vpl = frame->vpls[i];
-        double d = criterion(frame, &vpl, &mean, k);
-        if (!emits(&vpl) || (int)vpl.val != k || d >= least)
-            continue;
-        least = d;
-        glm_vec3_sub(frame->positions[k], vpl.position, off);
-        glm_vec3_copy(vpl.position, expected);
-        glm_vec3_muladds(vpl.normal, fmaxf(glm_vec3_dot(off, vpl.normal), 0), expected);
-    }
-    return (double)glm_vec3_distance(expected, (float *)frame->views[k].center);
-}
-
-TEST(views) {
-    struct frame_of_vals frame;
-    open_vals(&frame, "scenes/cornell-animal.glb", "vpls=512 vals=30 interleave=1");
-    double extents = 0, centers = 0, axes = 0, frames = 0, ranges = 0;
-    for (int k = 0; k < frame.val_count; k++) {
-        const struct map_view *view = &frame.views[k];
-        double extent = extent_of(&frame, k);
-        extents = fmax(extents, fabs((double)view->extent - extent));
-        centers = fmax(centers, off_center(&frame, k));
-        axes = fmax(axes, (double)glm_vec3_distance((float *)view->axis, frame.normals[k]));
-        frames =
-            fmax(frames, fabs((double)glm_vec3_dot((float *)view->axis, (float *)view->tangent)));
-        frames = fmax(frames, fabs((double)glm_vec3_norm((float *)view->tangent) - 1));
-        ranges = fmax(
-            ranges,
-            fabs((double)view->z_far / farthest_corner(&frame.stage.geometry, view->center) - 1));
-    }
-    double radius = (double)frame.stage.geometry.radius;
-    check_at_most("extents, over the radius", extents / radius, 1e-5);
-    check_at_most("centres, over the radius", centers / radius, 1e-6);
-    check_at_most("axes", axes, 0);
-    check_at_most("tangents' distance from orthonormal", frames, 1e-5);
-    check_at_most("z_far, relative", ranges, 1e-5);
-    close_vals(&frame);
-}
 
 /* The mean of VPLs on a ball lies within it; the map looks from without. */
 TEST(views_from_outside) {
     struct frame_of_vals frame;
     open_vals(&frame, "scenes/failures/center-inside.glb", "vpls=512 vals=4 interleave=1");
     vec3 middle = {0, 1.2f, 0};
+    float positions[4][4];
     double mean = INFINITY, view = INFINITY;
+    gl.GetTextureImage(frame.vals->positions->id, 0, GL_RGBA, GL_FLOAT, sizeof positions,
+                       positions);
     for (int k = 0; k < frame.val_count; k++) {
-        mean = fmin(mean, (double)glm_vec3_distance(frame.positions[k], middle));
+        mean = fmin(mean, (double)glm_vec3_distance(positions[k], middle));
         view = fmin(view, (double)glm_vec3_distance((float *)frame.views[k].center, middle));
     }
     check_at_most("the deepest mean's distance from the middle of the ball", mean, .58);
