@@ -65,24 +65,4 @@ TEST(history) {
     assert_true(pace.passes[1].history[0] == 10);
 }
 
-/* A line a frame, with a column for each pass. */
-TEST(csv) {
-    char *text = NULL;
-    size_t size;
-    memset(&pace, 0, sizeof pace);
-    add("frame", 0, 7);
-    add("frame/gather", 1, 3.25);
-    end_frame(100);
-    add("frame", 0, 8);
-    add("frame/gather", 1, 4);
-    end_frame(200);
-    FILE *stream = open_memstream(&text, &size);
-    pace_print_csv(&pace, stream);
-    fclose(stream);
-    printf("%s", text);
-    assert_string_equal(text, "number,pixels,frame ms,frame/gather ms\n"
-                              "1,100,7.0000,3.2500\n2,200,8.0000,4.0000\n");
-    free(text);
-}
-
 RUN_TESTS(NULL, NULL)

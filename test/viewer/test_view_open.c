@@ -53,20 +53,11 @@ TEST(changed_file) {
 
 /* --- what cannot be opened -------------------------------------------------------------------- */
 
-TEST(broken_keeps_scene) {
-    assert_int_equal(shell("mkdir -p %s/sub", stage.folder), 0);
-    start_viewer(SPHERE, "");
-    write_in_stage("broken.glb", "glTF and then nothing");
-    drop(in_stage("broken.glb"));
-    assert_true(log_has("broken.glb"));
-    wait_for_scene("sphere.glb");
-    check_same("the scene before", SPHERE);
-    end_viewer();
-}
-
 /* A file that is not there, a folder and a broken file: the start page, and the reason on stderr */
 TEST(start_page) {
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
+    assert_int_equal(shell("mkdir -p %s/sub", stage.folder), 0);
+    write_in_stage("broken.glb", "glTF and then nothing");
     for (int i = 0; i < 3; i++) {
         const char *arguments = form("%s --size %dx%d", names[i], WIDTH, HEIGHT);
         start_empty_viewer(arguments);

@@ -68,19 +68,6 @@ TEST(drop) {
                "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
 }
 
-/* Times of the passes, for a spreadsheet. */
-TEST(times) {
-    need_viewer();
-    char output[4000];
-    press_in_settings("Save times");
-    assert_int_equal(shell("cd %s && test -s manylight.settings.csv", stage.folder), 0);
-    const char *command = form("head -3 %s/manylight.settings.csv", stage.folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    printf("%s", output);
-    assert_int_equal(strncmp(output, "number,pixels,frame ms,frame/", 29), 0);
-    assert_non_null(strstr(output, "\n1,"));
-}
-
 /* The command line that was copied renders the very same picture: another camera, light, layer. */
 TEST(copy) {
     need_viewer();

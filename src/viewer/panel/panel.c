@@ -1,7 +1,6 @@
 /* The panel beside the picture. */
 #include "viewer/panel/panel.h"
 
-#include "base/file/output_file.h"
 #include "base/memory.h"
 #include "shared/composite.h"
 #include "viewer/picture/look.h"
@@ -210,24 +209,6 @@ static void copy_command(struct viewer *viewer, const struct session *session) {
     free(command);
 }
 
-/* For a shell, beside the settings. */
-static void save_command(struct viewer *viewer, const struct session *session) {
-    char *command = session_command(session), *text = mem_printf("#!/bin/sh\n%s\n", command);
-    char *path = mem_printf("%s.sh", viewer->panel.session_path);
-    viewer_tell_saved(viewer, output_file_write(path, text, strlen(text)), path);
-    mem_free(path, text, command);
-}
-
-/* For a spreadsheet, beside the settings. */
-static void save_times(struct viewer *viewer) {
-    struct output_text text;
-    char *path = mem_printf("%s.csv", viewer->panel.session_path);
-    output_text_init(&text);
-    pace_print_csv(&viewer->shown.pace, text.stream);
-    viewer_tell_saved(viewer, output_text_end(&text, path), path);
-    free(path);
-}
-
 static void draw_session(struct viewer *viewer) {
     if (ui_wide_button("Save picture",
                        "PNG as it is shown, with a wipe both pictures; and EXR with "
@@ -245,11 +226,6 @@ static void draw_session(struct viewer *viewer) {
     ui_same_line();
     if (ui_button("Copy command line", "renders the very same picture offscreen"))
         copy_command(viewer, &session);
-    if (ui_wide_button("Save command line", "the same, as a script beside the settings: .sh"))
-        save_command(viewer, &session);
-    if (ui_wide_button("Save times",
-                       "of the last frames and their passes, beside the settings: .csv"))
-        save_times(viewer);
     session_free(&session);
 }
 

@@ -97,18 +97,6 @@ float pace_median(const struct pace_pass *pass) {
     return pass->count ? sorted[(pass->count - 1) / 2] : 0;
 }
 
-void pace_print_csv(const struct pace *pace, FILE *file) {
-    fprintf(file, "number,pixels");
-    for (int i = 0; i < pace->pass_count; i++)
-        fprintf(file, ",%s ms", pace->passes[i].path);
-    for (int f = 0; f < pace->frame_count; f++) {
-        fprintf(file, "\n%d,%.0f", f + 1, (double)pace->frame_pixels[f]);
-        for (int i = 0; i < pace->pass_count; i++)
-            fprintf(file, ",%.4f", (double)pace->passes[i].history[f]);
-    }
-    fprintf(file, "\n");
-}
-
 double pace_fps(const struct pace *pace, double now) {
     int ring = sizeof pace->shown / sizeof *pace->shown, count = 0;
     double first = now;

@@ -4,8 +4,6 @@
 
 #include "gl/timer.h"
 
-#include <stdio.h>
-
 enum { PACE_HISTORY = 240, PACE_MEDIAN = 15 };
 
 struct pace {
@@ -45,9 +43,6 @@ void pace_begin_medians(struct pace *pace);
 
 /* Returns the median time of a pass over the last frames, ms. */
 float pace_median(const struct pace_pass *pass);
-
-/* Writes a row per frame, oldest first: its pixels, its time and the time of each pass. */
-void pace_print_csv(const struct pace *pace, FILE *file);
 
 /* Returns pictures per second. 0: none yet. */
 double pace_fps(const struct pace *pace, double now);

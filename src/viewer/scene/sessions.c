@@ -61,21 +61,17 @@ bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     return viewer_show_sky(viewer, session) && place(viewer, session->camera, session->lights);
 }
 
-void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path) {
-    char *whole = ok ? realpath(path, NULL) : NULL;
-    if (ok)
-        messages_add_result(&viewer->host.messages, "saved: %s", whole ? whole : path);
-    else
-        viewer_tell_error(viewer);
-    free(whole);
-}
-
 void viewer_save_session(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;
     struct session session = viewer_session(viewer);
-    viewer_tell_saved(viewer, session_save(&session, viewer->panel.session_path),
-                      viewer->panel.session_path);
+    const char *path = viewer->panel.session_path;
+    if (session_save(&session, path)) {
+        char *whole = realpath(path, NULL);
+        messages_add_result(&viewer->host.messages, "saved: %s", whole ? whole : path);
+        free(whole);
+    } else
+        viewer_tell_error(viewer);
     session_free(&session);
 }
 

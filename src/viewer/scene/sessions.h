@@ -8,10 +8,8 @@
 struct session viewer_session(const struct viewer *viewer);
 bool viewer_load_session(struct viewer *viewer, const char *path);
 
-/* Saves settings, camera and lights, and shows the path or the error. viewer_tell_saved shows
- * the result of such a write. */
+/* Saves settings, camera and lights, and shows the path or the error. */
 void viewer_save_session(struct viewer *viewer);
-void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path);
 
 /* Shows a session of the same scene. Error: an invalid camera or light. */
 bool viewer_show_session(struct viewer *viewer, const struct session *session);
