@@ -4,31 +4,26 @@
  *     build/test/test_view_leaks [ROUNDS]     at least so many; 200 takes minutes
  */
 #define _GNU_SOURCE
-#include "view_stage.h"
+#include "view_inside.h"
 
 #include "desktop.h"
 
 #include "gl/memory.h"
-#include "viewer/files/opening.h"
 #include "viewer/picture/look.h"
 #include "viewer/picture/picture.h"
 #include "viewer/reference/tracing.h"
 #include "viewer/scene/animation.h"
 #include "viewer/scene/lights.h"
 #include "viewer/scene/placed.h"
-#include "viewer/viewer.h"
 #include "viewer/window/ui.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <dirent.h>
-#include <dlfcn.h>
-#include <link.h>
 #include <malloc.h>
 
 static int rounds = 4;
-static struct viewer viewer;
 
 /* --- what there is --- */
 
@@ -73,28 +68,23 @@ static void print_holdings(const char *when, const struct holdings *holdings) {
 
 /* --- turns --- */
 
-static void turn(int count) {
+static void turns(int count) {
     for (int i = 0; i < count; i++)
-        check_ok("turn", viewer_turn(&viewer));
+        turn();
 }
 
 static void load(const char *path) {
     viewer_open(&viewer, path);
-    for (int i = 0; i < 10000 && (i < 2 || viewer_is_opening(&viewer)); i++) {
-        turn(1);
-        pause_ms(2);
-    }
-    turn(2);
+    turn();
+    turn_until(!viewer_is_opening(&viewer));
+    turns(2);
 }
 
 /* What is wanted is there. */
 static void settle(void) {
-    turn(2);
-    for (int i = 0; i < 10000 && viewer.shown.awaits; i++) {
-        turn(1);
-        pause_ms(2);
-    }
-    turn(1);
+    turns(2);
+    turn_until(!viewer.shown.awaits);
+    turn();
 }
 
 static const struct technique *technique_of(int round) {
@@ -117,7 +107,7 @@ static void switch_scene(int round) {
 
 static void switch_size(int round) {
     window_set_size(viewer.host.window, PANEL + 100 + 7 * (round % 5), 90 + 5 * (round % 3));
-    turn(2);
+    turns(2);
 }
 
 static void switch_wipe(int round) {
@@ -130,13 +120,13 @@ static void switch_wipe(int round) {
 static void switch_output(int round) {
     (void)round;
     viewer_step_output(&viewer, 1);
-    turn(1);
+    turn();
 }
 
 static void play(int round) {
     viewer.wish.play.on = true;
     viewer_go_to(&viewer, .07 * round);
-    turn(1);
+    turn();
     viewer.wish.play.on = false;
 }
 
@@ -160,12 +150,12 @@ static void look_closely(int round) {
     views_keep(&viewer, round % SESSION_VIEWS);
     settle();
     views_go(&viewer, (round + 1) % SESSION_VIEWS);
-    turn(2);
+    turns(2);
 }
 
 static void change_scale(int round) {
     window_set_scale(viewer.host.window, round % 2 ? 1 : 1.25F);
-    turn(3);
+    turns(3);
 }
 
 static void minimise(int round) {
@@ -173,7 +163,7 @@ static void minimise(int round) {
     assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
     assert_true(desktop_minimise(strtoul(output, NULL, 10), round % 2 == 0));
     pause_ms(30);
-    turn(2);
+    turns(2);
     if (round % 2 == 0)
         assert_int_equal(viewer.host.input->width, 0);
     else
@@ -182,30 +172,16 @@ static void minimise(int round) {
 
 static void trace(int round) {
     viewer_trace(&viewer);
-    for (int i = 0; i < 2000 && viewer.tracing.samples == 0; i++)
-        pause_ms(1), turn(1);
-    assert_true(viewer.tracing.samples > 0);
+    turn_until(viewer.tracing.samples > 0);
     if (round % 2)
         viewer_forget_reference(&viewer);
 }
 
 static void chart(int round) {
     viewer_chart(&viewer);
-    for (int i = 0; i < 20000 && viewer.tracing.chart.next < 1 + round % 3; i++)
-        pause_ms(1), turn(1);
-    assert_true(viewer.tracing.chart.next > 0);
+    turn_until(viewer.tracing.chart.next > round % 3);
     viewer_take_dot(&viewer, 0);
     settle();
-}
-
-/* In the full size, however slow the machine is. */
-static void rest(void) {
-    for (int i = 0; i < 10000 && (viewer.shown.moving || viewer.shown.coarse || viewer.shown.dirty);
-         i++) {
-        turn(1);
-        pause_ms(2);
-    }
-    turn(1);
 }
 
 /* As at the beginning, so that what is there can be compared. */
@@ -221,13 +197,13 @@ static void go_back(void) {
     load("scenes/metaballs.glb");
     viewer_go_to(&viewer, 0);
     settle();
-    turn(30);
+    turns(30);
     pause_ms(300);
-    turn(3);
+    turns(3);
     rest();
     viewer.shown.choice.output = NULL;
     viewer.shown.recompose = true;
-    turn(1);
+    turn();
 }
 
 static void check_kept(const char *what, void (*step)(int round), int least) {
@@ -254,14 +230,6 @@ static void check_kept(const char *what, void (*step)(int round), int least) {
     assert_int_equal(context_message_count(viewer.host.context), 0);
 }
 
-/* GLFW unloads the driver at the end: nobody could tell then whose leaks those are. */
-static int keep_library(struct dl_phdr_info *library, size_t size, void *context) {
-    (void)size, (void)context;
-    if (*library->dlpi_name)
-        dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
-    return 0;
-}
-
 /* A driver that the user interface cannot use: what was begun of it ends well. */
 TEST(no_interface) {
     if (!stage.server)
@@ -269,7 +237,7 @@ TEST(no_interface) {
     struct window *window =
         window_create(&(struct window_desc){.title = "manylight", .width = 60, .height = 40});
     assert_non_null(window);
-    dl_iterate_phdr(keep_library, NULL);
+    keep_driver();
     ui_free();
     glfwMakeContextCurrent(NULL);
     check_refused(ui_init(window_native(window), 1), "");
@@ -283,22 +251,14 @@ TEST(no_interface) {
 /* Nothing has changed, and nothing is rendered. */
 static void check_rest(void) {
     int before = viewer.shown.frame_count;
-    turn(5);
+    turns(5);
     printf("    %-28s %d frames rendered\n", "five turns at rest",
            viewer.shown.frame_count - before);
     assert_int_equal(viewer.shown.frame_count, before);
 }
 
 TEST(kept) {
-    if (!stage.server)
-        skip();
-    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    static const char cheap[] =
-        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
-    renderer_settings_init(&desc.settings);
-    check_ok(cheap, settings_assign(&desc.settings, cheap));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    dl_iterate_phdr(keep_library, NULL);
+    begin_viewer(&(struct viewer_desc){.width = 100, .height = 90});
     load("scenes/metaballs.glb");
     go_back();
     check_rest();
@@ -339,13 +299,7 @@ static int open_all(const char *folder) {
  * scene that is whole is shown after them. */
 TEST(strangers) {
     const char *folder = getenv("MANYLIGHT_STRANGERS");
-    if (!stage.server)
-        skip();
-    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    renderer_settings_init(&desc.settings);
-    check_ok("cheap", settings_assign(&desc.settings, "vpls=64 vals=4 map-size=16 rsm-size=16 "
-                                                      "shadow-size=16 interleave=4"));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
+    begin_viewer(&(struct viewer_desc){.width = 100, .height = 90});
     int count = open_all(folder ? folder : "test/fuzz/seeds/scene");
     load("scenes/cornell-box.glb");
     printf("    %d files opened; then %s is shown, %.0f MiB at most\n", count,
