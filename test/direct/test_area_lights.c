@@ -4,9 +4,6 @@
 
 #include "gltf_parts.h"
 
-#include "gl/glsl.h"
-#include "gl/pass.h"
-#include "gl/program.h"
 #include "reference/scene/emission.h"
 #include "scene/lights/flat_shape.h"
 #include "shared/vpl.h"
@@ -127,30 +124,16 @@ static void shade(struct answer *answers, int count, float *got) {
     struct geometry geometry = {.radius = 1};
     static struct light_block block;
     vec4 points[ANSWERS][2] = {0};
-    struct buffer light_buffer, point_buffer, answer_buffer;
-    struct timers untimed = {0};
-    GLuint program;
-    glsl_set_folder("glsl");
     for (int i = 0; i < count; i++) {
         lights[i] = answers[i].light;
         glm_vec3_copy(answers[i].position, points[i][0]);
         glm_vec3_copy(answers[i].normal, points[i][1]);
     }
     views_of_emitters(&block, &(struct emitters){.items = lights, .count = count}, &geometry);
-    check_ok("program", program_init(&program, &(struct program_desc){
-                                                   .compute = "../test/support/unshadowed.comp"}));
-    check_ok("lights", buffer_init(&light_buffer, "lights", sizeof block, &block));
-    check_ok("points", buffer_init(&point_buffer, "points", sizeof points, points));
-    check_ok("answers", buffer_init(&answer_buffer, "answers", ANSWERS * sizeof *got, NULL));
-    pass_begin(&untimed, &FILLED(pass_state, .name = "unshadowed", .program = program,
-                                 .blocks = {{BLOCK_LIGHTS, &light_buffer}},
-                                 .storages = {{0, &point_buffer}, {1, &answer_buffer}}));
-    pass_dispatch(1, 1, 1);
-    pass_end(&untimed);
-    buffer_read(&answer_buffer, 0, (size_t)count * sizeof *got, got);
-    buffers_free(&light_buffer, &point_buffer, &answer_buffer);
-    program_free(&program);
-    glsl_set_folder(NULL);
+    ask_shader(&FILLED(questions, .shader = "unshadowed.comp", .asked = points,
+                       .asked_bytes = (size_t)count * sizeof *points, .answers = got,
+                       .answer_bytes = (size_t)count * sizeof *got, .groups = {1},
+                       .blocks = {{BLOCK_LIGHTS, &block, sizeof block}}));
 }
 
 TEST(shaded) {

@@ -368,21 +368,6 @@ TEST(direct) {
     expect_text("table-direct.svg");
 }
 
-/* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs.
- * Maps that do not know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
-LONG_TEST(vpl_raytraced) {
-    const char *traced = scratch("traced.exr"), *mapped = scratch("mapped.exr");
-    if (run_program(
-            "reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
-            "--set clamp=disk --size 96x96 -o %s -q && %s render scenes/cornell-box.glb "
-            "--technique instant-radiosity --set vpls=64 --set clamp=disk --set interleave=1 "
-            "--set samples=1 --set adaptive=0 --set blur.radius=0 "
-            "--size 96x96 -o %s && %s compare %s %s -l indirect -m relative-rmse --max "
-            "relative-rmse=.013",
-            traced, binary_path(), mapped, binary_path(), mapped, traced) != 0)
-        fail_msg("%s", output);
-}
-
 /* --- the command line ------------------------------------------------------------------------- */
 
 TEST(help) {

@@ -1,34 +1,8 @@
 /* Numbers by which one of many is taken (glsl/lib/random.glsl): the same bits on every driver,
  * whatever it rounds. */
-#include "support.h"
-
-#include "gl/glsl.h"
-#include "gl/pass.h"
-#include "gl/program.h"
 #include "render_support.h"
 
 enum { SIDE = 64, APART = 127 }; /* pixels of a picture of 8K, one in APART along each side */
-
-static void read_numbers(float *numbers) {
-    GLuint program;
-    struct buffer buffer;
-    struct timers untimed = {0};
-    const char *defines = form("SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE, APART);
-    glsl_set_folder("glsl");
-    check_ok(
-        "numbers",
-        program_init(&program, &(struct program_desc){.compute = "../test/support/lattice.comp",
-                                                      .defines = defines}) &&
-            buffer_init(&buffer, "numbers", SIDE * SIDE * sizeof *numbers, NULL));
-    glsl_set_folder(NULL);
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "numbers", .program = program, .storages = {{0, &buffer}}});
-    pass_dispatch(SIDE / 8, SIDE / 8, 1);
-    pass_end(&untimed);
-    buffer_read(&buffer, 0, SIDE * SIDE * sizeof *numbers, numbers);
-    buffer_free(&buffer);
-    program_free(&program);
-}
 
 /* Each is the fraction of x steps along x and y along y: against integers, and against the
  * multiples that these stand for. */
@@ -36,7 +10,10 @@ TEST(numbers) {
     static float numbers[SIDE * SIDE];
     double wrong = 0, furthest = 0;
     need_file("glsl/lib/random.glsl");
-    read_numbers(numbers);
+    ask_shader(&FILLED(
+        questions, .shader = "lattice.comp",
+        .defines = form("SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE, APART),
+        .answers = numbers, .answer_bytes = sizeof numbers, .groups = {SIDE / 8, SIDE / 8}));
     for (uint32_t i = 0; i < SIDE * SIDE; i++) {
         uint32_t x = i % SIDE * APART, y = i / SIDE * APART;
         uint32_t turns = x * 3242174889u + y * 2447445414u;

@@ -4,8 +4,6 @@
 #include "lookup_direct.h"
 #include "render_support.h"
 
-#include "gl/pass.h"
-#include "gl/program.h"
 #include "shared/maps.h"
 #include "shared/view.h"
 
@@ -97,19 +95,27 @@ static void copy(vec3s from, float scale, vec3 to) {
     glm_vec3_scale(from.raw, scale, to);
 }
 
-/* The view's block, and the light's extent. */
-static void open_view(const struct lookups *lookups, struct buffer *buffer) {
-    struct {
-        struct map_view view;
-        vec4 extent;
-    } paraboloid = {{.z_far = (float)unit}, {(float)extent}};
-    struct {
-        struct view view;
-        vec4 extent;
-    } flat = {{.near = (float)near, .far = (float)unit}, {(float)extent}};
+/* The view, and the light's extent. */
+struct paraboloid_view {
+    struct map_view view;
+    vec4 extent;
+};
+
+struct flat_view {
+    struct view view;
+    vec4 extent;
+};
+
+static struct paraboloid_view paraboloid_of(const struct lookups *lookups) {
+    struct paraboloid_view paraboloid = {{.z_far = (float)unit}, {(float)extent}};
     copy(lookups->origin, 1, paraboloid.view.center);
     copy(lookups->axes[0], 1, paraboloid.view.tangent);
     copy(lookups->axes[2], 1, paraboloid.view.axis);
+    return paraboloid;
+}
+
+static struct flat_view flat_of(const struct lookups *lookups) {
+    struct flat_view flat = {{.near = (float)near, .far = (float)unit}, {(float)extent}};
     copy(lookups->origin, 1, flat.view.origin);
     copy(lookups->axes[0], (float)half, flat.view.right);
     copy(lookups->axes[1], (float)half, flat.view.up);
@@ -126,23 +132,7 @@ static void open_view(const struct lookups *lookups, struct buffer *buffer) {
         flat.view.world_to_clip[c][3] = orthographic ? (c == 3)
                                         : c < 3      ? lookups->axes[2].raw[c]
                                                 : -glms_vec3_dot(lookups->axes[2], lookups->origin);
-    if (lookups->projection == PROJECTION_PARABOLOID)
-        check_ok("view", buffer_init(buffer, "view", sizeof paraboloid, &paraboloid));
-    else
-        check_ok("view", buffer_init(buffer, "view", sizeof flat, &flat));
-}
-
-static GLuint open_program(const struct lookups *lookups) {
-    GLuint program;
-    char *defines =
-        mem_printf("PROJECTION %d;FILTER %d;JACOBIAN 1;SHARPEN 0;MAP_COUNT 1;BASIS_TERMS %d;"
-                   "BASIS_GROUPS 1;FILTER_TAPS %d;SEARCH_TAPS %d",
-                   lookups->projection, lookups->filter, TERMS, TAPS, SEARCH);
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/support/lookup.comp",
-                                                           .defines = defines}));
-    free(defines);
-    return program;
+    return flat;
 }
 
 static void run(struct lookups *lookups) {
@@ -151,34 +141,30 @@ static void run(struct lookups *lookups) {
                                    .map_bias = (float)map_bias,
                                    .shift = (float)shift,
                                    .gain = (float)gain};
-    struct series_range range = {
-        (float)nearest, (float)farthest, (float)knee,
-        (float)(argument_of(farthest) / (farthest - nearest) * (farthest - nearest + knee))};
-    struct timers untimed = {0};
-    struct buffer view, block, ranges, points, answers;
-    GLuint program = open_program(lookups);
-    open_view(lookups, &view);
-    check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
-    check_ok("ranges", buffer_init(&ranges, "ranges", SERIES_RANGES_MAX * sizeof range, NULL));
-    buffer_write(&ranges, 0, sizeof range, &range);
-    check_ok("points", buffer_init(&points, "points", sizeof lookups->points, lookups->points));
-    check_ok("answers", buffer_init(&answers, "answers", POINTS * sizeof *lookups->answers, NULL));
-    pass_begin(&untimed, &FILLED(pass_state, .name = "lookups", .program = program,
-                                 .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
-                                              {UNIT_BASIS_COS, lookups->bases[0].id},
-                                              {UNIT_BASIS_SIN, lookups->bases[1].id},
-                                              {UNIT_BASIS_Z_COS, lookups->bases[2].id},
-                                              {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
-                                              {UNIT_BASIS_Z, lookups->bases[4].id}},
-                                 .blocks = {{BLOCK_PASS, &view},
-                                            {BLOCK_LOOKUP, &block},
-                                            {BLOCK_SERIES_RANGES, &ranges}},
-                                 .storages = {{0, &points}, {1, &answers}}));
-    pass_dispatch((POINTS + 63) / 64, 1, 1);
-    pass_end(&untimed);
-    buffer_read(&answers, 0, POINTS * sizeof *lookups->answers, lookups->answers);
-    buffers_free(&view, &block, &ranges, &points, &answers);
-    program_free(&program);
+    struct series_range ranges[SERIES_RANGES_MAX] = {
+        {(float)nearest, (float)farthest, (float)knee,
+         (float)(argument_of(farthest) / (farthest - nearest) * (farthest - nearest + knee))}};
+    struct paraboloid_view paraboloid = paraboloid_of(lookups);
+    struct flat_view flat = flat_of(lookups);
+    bool is_flat = lookups->projection != PROJECTION_PARABOLOID;
+    ask_shader(&FILLED(
+        questions, .shader = "lookup.comp",
+        .defines = form("PROJECTION %d;FILTER %d;JACOBIAN 1;SHARPEN 0;MAP_COUNT 1;BASIS_TERMS %d;"
+                        "BASIS_GROUPS 1;FILTER_TAPS %d;SEARCH_TAPS %d",
+                        lookups->projection, lookups->filter, TERMS, TAPS, SEARCH),
+        .asked = lookups->points, .asked_bytes = sizeof lookups->points,
+        .answers = lookups->answers, .answer_bytes = POINTS * sizeof *lookups->answers,
+        .groups = {(POINTS + 63) / 64},
+        .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
+                     {UNIT_BASIS_COS, lookups->bases[0].id},
+                     {UNIT_BASIS_SIN, lookups->bases[1].id},
+                     {UNIT_BASIS_Z_COS, lookups->bases[2].id},
+                     {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
+                     {UNIT_BASIS_Z, lookups->bases[4].id}},
+        .blocks = {{BLOCK_PASS, is_flat ? (void *)&flat : &paraboloid,
+                    is_flat ? sizeof flat : sizeof paraboloid},
+                   {BLOCK_LOOKUP, &params, sizeof params},
+                   {BLOCK_SERIES_RANGES, ranges, sizeof ranges}}));
 }
 
 static struct lookups *open_lookups(int projection, int filter, double plate) {
@@ -364,28 +350,14 @@ TEST(map_in_front) {
     static const int expected[ASKED] = {0, 4, 3, 0};
     int answers[ASKED];
     struct lookup_params params = {.map_count = VALS};
-    struct timers untimed = {0};
-    struct buffer maps, block, asked, answered;
-    GLuint program;
-    check_ok("program",
-             program_init(&program,
-                          &(struct program_desc){.compute = "../test/support/map_in_front.comp"}));
-    check_ok("views", buffer_init(&maps, "views", sizeof views, views));
-    check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
-    check_ok("points", buffer_init(&asked, "points", sizeof points, points));
-    check_ok("answers", buffer_init(&answered, "answers", sizeof answers, NULL));
-    pass_begin(&untimed, &FILLED(pass_state, .name = "maps in front", .program = program,
-                                 .blocks = {{BLOCK_MAPS, &maps}, {BLOCK_LOOKUP, &block}},
-                                 .storages = {{0, &asked}, {1, &answered}}));
-    pass_dispatch(ASKED, 1, 1);
-    pass_end(&untimed);
-    buffer_read(&answered, 0, sizeof answers, answers);
+    ask_shader(&FILLED(
+        questions, .shader = "map_in_front.comp", .asked = points, .asked_bytes = sizeof points,
+        .answers = answers, .answer_bytes = sizeof answers, .groups = {ASKED},
+        .blocks = {{BLOCK_MAPS, views, sizeof views}, {BLOCK_LOOKUP, &params, sizeof params}}));
     for (int i = 0; i < ASKED; i++) {
         printf("    point %d is known by map %d\n", i, answers[i]);
         assert_int_equal(answers[i], expected[i]);
     }
-    buffers_free(&maps, &block, &asked, &answered);
-    program_free(&program);
 }
 
-RUN_TESTS(open_group_shaders, close_group_shaders)
+RUN_TESTS(open_group_context, close_group_context)

@@ -3,7 +3,6 @@
  * filters make of them, where the answer is known. */
 #include "render_support.h"
 
-#include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/depth_bounds.h"
@@ -256,24 +255,13 @@ static struct answer two_depths(double share, double near, double far, double pl
 }
 
 static void ask(int filter, struct answer answers[CELLS]) {
-    struct buffer storage;
-    GLuint program;
-    char *defines = mem_printf("FILTER %d;SEARCH_PARTS 2;SHADOW_PARTS 2", filter);
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/support/cells.comp",
-                                                           .defines = defines}));
-    check_ok("answers", buffer_init(&storage, "answers", CELLS * sizeof *answers, answers));
     struct depths depths;
     open_depths(&depths, 16);
-    pass_set_state(&FILLED(pass_state, .name = "cells", .program = program,
-                           .textures = {{UNIT_MAP_DEPTH, depths.map.id}},
-                           .storages = {{0, &storage}}));
-    pass_dispatch(CELLS, 1, 1);
-    buffer_read(&storage, 0, CELLS * sizeof *answers, answers);
+    ask_shader(&FILLED(questions, .shader = "cells.comp",
+                       .defines = form("FILTER %d;SEARCH_PARTS 2;SHADOW_PARTS 2", filter),
+                       .answers = answers, .answer_bytes = CELLS * sizeof *answers,
+                       .groups = {CELLS}, .textures = {{UNIT_MAP_DEPTH, depths.map.id}}));
     close_depths(&depths);
-    buffer_free(&storage);
-    program_free(&program);
-    free(defines);
 }
 
 static const int moment_filters[] = {FILTER_VSSM, FILTER_MSM};
@@ -332,4 +320,4 @@ TEST(steps) {
     }
 }
 
-RUN_TESTS(open_group_shaders, close_group_shaders)
+RUN_TESTS(open_group_context, close_group_context)

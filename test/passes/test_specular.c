@@ -3,9 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "gl/glsl.h"
-#include "gl/pass.h"
-#include "gl/program.h"
 #include "lights/view.h"
 #include "reference/brdf.h"
 #include "reference/sampler.h"
@@ -16,36 +13,18 @@ struct question {
     vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/specular.comp */
 };
 
-static void ask(const char *compute, const struct question *questions, int count,
+static void ask(const char *shader, const struct question *questions, int count,
                 const struct light_block *lights, vec4 *answers) {
-    struct buffer light_buffer, question_buffer, answer_buffer;
+    static const struct light_block dark;
     struct texture lobes, albedos;
-    struct timers untimed = {0};
-    GLuint program;
-    glsl_set_folder("glsl");
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = compute,
-                                                           .defines = lights ? "OF_LIGHTS 1"
-                                                                             : "OF_LIGHTS 0"}));
-    check_ok("lights", buffer_init(&light_buffer, "lights", sizeof *lights, lights));
     check_ok("lobes", lobes_init(&lobes) && lobe_albedos_init(&albedos));
-    check_ok("questions", buffer_init(&question_buffer, "questions",
-                                      (size_t)count * sizeof *questions, questions));
-    check_ok("answers",
-             buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
-    pass_begin(&untimed,
-               &FILLED(pass_state, .name = "specular", .program = program,
+    ask_shader(&FILLED(questions, .shader = shader,
+                       .defines = lights ? "OF_LIGHTS 1" : "OF_LIGHTS 0", .asked = questions,
+                       .asked_bytes = (size_t)count * sizeof *questions, .answers = answers,
+                       .answer_bytes = (size_t)count * sizeof *answers, .groups = {count},
                        .textures = {{UNIT_LOBES, lobes.id}, {UNIT_LOBE_ALBEDOS, albedos.id}},
-                       .blocks = {{BLOCK_LIGHTS, &light_buffer}},
-                       .storages = {{0, &question_buffer}, {1, &answer_buffer}}));
-    pass_dispatch(count, 1, 1);
-    pass_end(&untimed);
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    gl.GetNamedBufferSubData(answer_buffer.id, 0, (GLsizeiptr)((size_t)count * sizeof *answers),
-                             answers);
-    buffers_free(&light_buffer, &question_buffer, &answer_buffer);
+                       .blocks = {{BLOCK_LIGHTS, lights ? lights : &dark, sizeof dark}}));
     textures_free(&lobes, &albedos);
-    program_free(&program);
 }
 
 static vec3s any_direction(uint32_t i, uint32_t pair, float least_cosine) {
@@ -104,7 +83,7 @@ TEST(same_as_traced) {
         put(v, questions[i].to_eye);
         put(l, questions[i].to_light);
     }
-    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
+    ask("specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         make_direction(i, &brdf, &v, &l);
         vec3s expected =
@@ -133,7 +112,7 @@ TEST(sampled_as_traced) {
         put(any_direction(i, 1, .02F), questions[i].to_eye);
         glm_vec2_copy(sample.raw, questions[i].to_light);
     }
-    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
+    ask("specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         struct brdf brdf = metal_of(.045F + .955F * (float)i / DIRECTIONS);
         vec2s sample = {{questions[i].to_light[0], questions[i].to_light[1]}};
@@ -221,7 +200,7 @@ TEST(lights) {
         put(v, questions[i].to_eye);
         questions[i].to_light[3] = (float)(i / VIEWS / ROUGHNESSES);
     }
-    ask("../test/support/specular.comp", questions, CASES, &block, answers);
+    ask("specular.comp", questions, CASES, &block, answers);
     for (int i = 0; i < CASES; i++) {
         vec3s n, v;
         const struct emitter *light = &lights[i / VIEWS / ROUGHNESSES];
@@ -256,7 +235,7 @@ TEST(ball) {
     vec4 answers[5];
     for (int i = 0; i < 5; i++)
         make_ball(&questions[i], radii[i], 0, false);
-    ask("../test/support/sphere.comp", questions, 5, NULL, answers);
+    ask("sphere.comp", questions, 5, NULL, answers);
     for (int i = 0; i < 5; i++) { /* a point gives 1 */
         double r2 = (double)(radii[i] * radii[i]), c = sqrt(1 - r2);
         double exact = i > 0 ? 2 * (1 - c * c * c) / (3 * r2) : 1;
@@ -266,7 +245,7 @@ TEST(ball) {
     static const float inside[] = {0, .5F, 1.5F, 3.1F};
     for (int i = 0; i < 4; i++)
         make_ball(&questions[i], 4, inside[i], false);
-    ask("../test/support/sphere.comp", questions, 4, NULL, answers);
+    ask("sphere.comp", questions, 4, NULL, answers);
     for (int i = 0; i < 4;
          i++) { /* no more than 2 / (3 r^2), which it has where both face each other */
         double angle = (double)inside[i];
@@ -283,7 +262,7 @@ TEST(plane_of_balls) {
     vec4 answers[6];
     for (int i = 0; i < 6; i++)
         make_ball(&questions[i], radii[i / 2], tilts[i % 2], true);
-    ask("../test/support/sphere.comp", questions, 6, NULL, answers);
+    ask("sphere.comp", questions, 6, NULL, answers);
     for (int i = 0; i < 6; i++) {
         double expected = GLM_PI * (1 + cos((double)tilts[i % 2])) / 2;
         printf("    balls of %.1f, %.1f aslant:", (double)radii[i / 2], (double)tilts[i % 2]);

@@ -70,14 +70,39 @@ int close_group_context(void **state) {
     return 0;
 }
 
-int open_group_shaders(void **state) {
-    glsl_set_folder("glsl");
-    return open_group_context(state);
-}
-
-int close_group_shaders(void **state) {
+void ask_shader(const struct questions *questions) {
+    enum { BLOCKS = sizeof questions->blocks / sizeof *questions->blocks };
+    const char *shader = form("../test/support/%s", questions->shader);
+    const bool asks = questions->asked;
+    struct pass_state state = {.name = questions->shader};
+    struct buffer blocks[BLOCKS] = {{0}}, asked = {0}, answers;
+    struct timers untimed = {0};
+    glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
+    check_ok(shader,
+             program_init(&state.program, &(struct program_desc){.compute = shader,
+                                                                 .defines = questions->defines}));
     glsl_set_folder(NULL);
-    return close_group_context(state);
+    memcpy(state.textures, questions->textures, sizeof questions->textures);
+    for (int i = 0; i < BLOCKS && questions->blocks[i].data; i++) {
+        check_ok("block", buffer_init(&blocks[i], "block", questions->blocks[i].bytes,
+                                      questions->blocks[i].data));
+        pass_add_block(&state, questions->blocks[i].block, &blocks[i]);
+    }
+    if (asks)
+        check_ok("questions",
+                 buffer_init(&asked, "questions", questions->asked_bytes, questions->asked));
+    check_ok("answers",
+             buffer_init(&answers, "answers", questions->answer_bytes, questions->answers));
+    state.storages[0] = (struct pass_block){0, asks ? &asked : &answers, 0, 0};
+    state.storages[1] = (struct pass_block){1, asks ? &answers : NULL, 0, 0};
+    pass_begin(&untimed, &state);
+    pass_dispatch(questions->groups[0], questions->groups[1] ? questions->groups[1] : 1, 1);
+    pass_end(&untimed);
+    buffer_read(&answers, 0, questions->answer_bytes, questions->answers);
+    for (int i = 0; i < BLOCKS; i++)
+        buffer_free(&blocks[i]);
+    buffers_free(&asked, &answers);
+    program_free(&state.program);
 }
 
 struct stage open_stage(const char *path) {

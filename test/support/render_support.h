@@ -5,6 +5,7 @@
 #include "support.h"
 
 #include "gl/context/context.h"
+#include "gl/pass.h"
 #include "reference/path_tracer.h"
 #include "reference/scene/ray_scene.h"
 #include "renderer/renderer.h"
@@ -18,9 +19,23 @@ struct context *open_context(enum context_kind kind);
 int open_group_context(void **state);
 int close_group_context(void **state);
 
-/* The same for groups whose own shaders lie beside the tests. */
-int open_group_shaders(void **state);
-int close_group_shaders(void **state);
+/* What a compute shader of test/support is asked: it has the questions in storage 0 and gives the
+ * answers in the next one. */
+struct questions {
+    const char *shader, *defines; /* shader: "traced.comp" */
+    const void *asked;            /* NULL: none, and the answers are storage 0 */
+    void *answers;                /* the shader finds what is in them */
+    size_t asked_bytes, answer_bytes;
+    int groups[2]; /* of the dispatch; groups[1] 0: 1 */
+    struct pass_texture textures[8];
+    struct {
+        GLuint block;
+        const void *data;
+        size_t bytes;
+    } blocks[4];
+};
+
+void ask_shader(const struct questions *questions);
 
 /* A stage that the test may change; fails the test on an error. */
 struct stage open_stage(const char *path);

@@ -5,8 +5,6 @@
 
 #include "base/halton.h"
 #include "gl/framebuffer.h"
-#include "gl/glsl.h"
-#include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/lights/cluster.h"
 #include "passes/lights/cluster_light.h"
@@ -42,9 +40,6 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
     static struct light_rectangle rectangles[LIGHT_RECTANGLES_MAX];
     vec4 normals[CASES_MAX] = {0};
     float answers[CASES_MAX];
-    struct buffer vpl_buffer, rectangle_buffer, normal_buffer, answer_buffer;
-    struct timers untimed = {0};
-    GLuint program;
     for (int i = 0; i < count; i++) {
         vpls[i] = (struct vpl){.area = area_of(&cases[i]), .flux = {1, 1, 1}, .reach = 1};
         glm_vec3_copy((float *)cases[i].middle, vpls[i].position);
@@ -53,26 +48,13 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
         glm_vec3_copy((float *)cases[i].up, rectangles[i].up);
         glm_vec3_copy((float *)cases[i].normal, normals[i]);
     }
-    glsl_set_folder("glsl");
-    check_ok("program", program_init(&program, &(struct program_desc){
-                                                   .compute = "../test/support/rectangle.comp"}));
-    glsl_set_folder(NULL);
-    check_ok("lights", buffer_init(&vpl_buffer, "lights", sizeof vpls, vpls));
-    check_ok("shapes", buffer_init(&rectangle_buffer, "shapes", sizeof rectangles, rectangles));
-    check_ok("normals",
-             buffer_init(&normal_buffer, "normals", (size_t)count * sizeof *normals, normals));
-    check_ok("answers", buffer_init(&answer_buffer, "answers", sizeof answers, NULL));
-    pass_begin(&untimed, &FILLED(pass_state, .name = "rectangles", .program = program,
-                                 .blocks = {{BLOCK_VPLS, &vpl_buffer},
-                                            {BLOCK_LIGHT_RECTANGLES, &rectangle_buffer}},
-                                 .storages = {{0, &normal_buffer}, {1, &answer_buffer}}));
-    pass_dispatch(1, 1, 1);
-    pass_end(&untimed);
-    buffer_read(&answer_buffer, 0, (size_t)count * sizeof *answers, answers);
+    ask_shader(&FILLED(questions, .shader = "rectangle.comp", .asked = normals,
+                       .asked_bytes = (size_t)count * sizeof *normals, .answers = answers,
+                       .answer_bytes = sizeof answers, .groups = {1},
+                       .blocks = {{BLOCK_VPLS, vpls, sizeof vpls},
+                                  {BLOCK_LIGHT_RECTANGLES, rectangles, sizeof rectangles}}));
     for (int i = 0; i < count; i++)
         factors[i] = (double)(answers[i] * area_of(&cases[i])) / GLM_PI;
-    buffers_free(&vpl_buffer, &rectangle_buffer, &normal_buffer, &answer_buffer);
-    program_free(&program);
 }
 
 /* A corner of a parallel rectangle of sides a and b, at height h, X = a / h, Y = b / h. */

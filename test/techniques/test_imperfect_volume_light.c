@@ -1,7 +1,6 @@
 /* Indirect light of volumes: spherical harmonics, energy, and what must not change it. */
 #include "volume_scenes.h"
 
-#include "gl/program.h"
 #include "inspect/aov.h"
 #include "shared/vpl.h"
 
@@ -12,22 +11,9 @@ struct question {
 };
 
 static void ask(const struct question *question, float answer[4]) {
-    GLuint program;
-    struct timers untimed = {0};
-    struct buffer questions, answers;
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/support/sh.comp"}));
-    check_ok("buffers", buffer_init(&questions, "questions", sizeof *question, question) &&
-                            buffer_init(&answers, "answers", 4 * sizeof *answer, NULL));
-    pass_begin(&untimed, &(struct pass_state){.name = "ask",
-                                              .program = program,
-                                              .storages = {{0, &questions}, {1, &answers}}});
-    pass_dispatch(1, 1, 1);
-    pass_end(&untimed);
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    buffer_read(&answers, 0, 4 * sizeof *answer, answer);
-    buffers_free(&questions, &answers);
-    program_free(&program);
+    ask_shader(&FILLED(questions, .shader = "sh.comp", .asked = question,
+                       .asked_bytes = sizeof *question, .answers = answer,
+                       .answer_bytes = 4 * sizeof *answer, .groups = {1}));
 }
 
 /* A hole of half angle a over the normal lets in sin^2 a; order 2 knows (1 - cos a) / 2 + sin^2 a /
@@ -421,4 +407,4 @@ TEST(few_triangles) {
     check_near("light of a plane on itself", layer_mean(&image, "indirect"), 0, .01);
 }
 
-RUN_TESTS(open_group_shaders, close_group_shaders)
+RUN_TESTS(open_group_context, close_group_context)

@@ -151,4 +151,4 @@ TEST(whole_triangle) {
     assert_false(boxed_spread(weight, &box, &geometry, outside, .3, .7));
 }
 
-RUN_TESTS(open_group_shaders, close_group_shaders)
+RUN_TESTS(open_group_context, close_group_context)

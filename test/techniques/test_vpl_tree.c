@@ -3,8 +3,6 @@
 #include "light_node.h"
 #include "render_support.h"
 
-#include "gl/glsl.h"
-#include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/gather/gather.h"
 #include "passes/gather/vpl_cut.h"
@@ -192,29 +190,10 @@ static struct light_extent any_extent(uint32_t i, uint32_t pair) {
 }
 
 static void ask(int clamp, const struct question *questions, float *answers) {
-    struct buffer question_buffer, answer_buffer;
-    struct timers untimed = {0};
-    GLuint program;
-    char *defines = mem_printf("CLAMP %d", clamp);
-    glsl_set_folder("glsl");
-    check_ok("program", program_init(&program, &(struct program_desc){
-                                                   .compute = "../test/support/cut_bound.comp",
-                                                   .defines = defines}));
-    check_ok("questions",
-             buffer_init(&question_buffer, "questions", QUESTIONS * sizeof *questions, questions) &&
-                 buffer_init(&answer_buffer, "answers", QUESTIONS * sizeof *answers, NULL));
-    pass_begin(&untimed,
-               &(struct pass_state){.name = "bounds",
-                                    .program = program,
-                                    .storages = {{0, &question_buffer}, {1, &answer_buffer}}});
-    pass_dispatch(QUESTIONS, 1, 1);
-    pass_end(&untimed);
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    buffer_read(&answer_buffer, 0, QUESTIONS * sizeof *answers, answers);
-    buffers_free(&question_buffer, &answer_buffer);
-    program_free(&program);
-    free(defines);
-    glsl_set_folder(NULL);
+    ask_shader(&FILLED(questions, .shader = "cut_bound.comp", .defines = form("CLAMP %d", clamp),
+                       .asked = questions, .asked_bytes = QUESTIONS * sizeof *questions,
+                       .answers = answers, .answer_bytes = QUESTIONS * sizeof *answers,
+                       .groups = {QUESTIONS}));
 }
 
 /* GLSL's bound is C's, which test_lightcuts.c holds against a million terms. */
