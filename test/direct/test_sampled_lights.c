@@ -93,17 +93,9 @@ TEST(reference) {
 /* The mean of passes; one pass is the frame. */
 static struct image render_passes(const struct stage *stage, struct emitter *lights,
                                   const char *technique, int passes) {
-    struct renderer renderer;
-    struct image image;
     struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
     desc.emitters = (struct emitters){.items = lights, .count = LIGHTS};
-    desc.progressive = true;
-    check_ok("renderer", renderer_init(&renderer, &desc));
-    for (int pass = 0; pass < passes; pass++)
-        renderer_add_pass(&renderer, pass);
-    check_ok("layers", renderer_read_layers(&renderer, &image));
-    renderer_free(&renderer);
-    return image;
+    return render_mean(&desc, 0, passes);
 }
 
 /* Forty panels over a floor: 24 have lights of their own, and the triangles of the others are

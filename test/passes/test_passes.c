@@ -3,6 +3,7 @@
 #include "render_support.h"
 
 #include "passes/maps.h"
+#include "passes/vpls.h"
 #include "shared/maps.h"
 #include "shared/vpl.h"
 
@@ -45,14 +46,15 @@ TEST(sums) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     struct output_list outputs;
-    double logs = 0, count = 0, red = 0;
+    double logs = 0, count = 0, light[2] = {0};
     float sums[4];
     open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=512", 16, 16));
     renderer_outputs(&renderer, &outputs);
     gl.GetTextureImage(output_vpls(&outputs)->sums.id, 0, GL_RGBA, GL_FLOAT, sizeof sums, sums);
     struct vpl *vpls = read_vpls(&renderer);
     for (int i = 0; i < VPLS; i++) {
-        red += (double)vpls[i].flux[0];
+        for (int c = 0; c < 2; c++)
+            light[c] += vpls[i].reach > 0 ? (double)vpls[i].flux[c] : 0;
         for (int j = 0; j < FIRST && vpls[i].reach > 0; j++) {
             if (vpls[j].reach <= 0)
                 continue;
@@ -63,7 +65,8 @@ TEST(sums) {
         }
     }
     check_near("spread", exp2((double)(sums[0] / sums[1])) / exp2(logs / count), 1, 1e-4);
-    check_near("red light", (double)sums[2] / red, 1, 1e-4);
+    for (int c = 0; c < 2; c++)
+        check_near(c ? "green light" : "red light", (double)sums[2 + c] / light[c], 1, 1e-4);
     free(vpls);
 }
 

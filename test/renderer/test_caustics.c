@@ -411,18 +411,10 @@ TEST(follow) {
 
 /* The mean over passes is that of one frame, for rays move within their texels. */
 TEST(passes) {
-    enum { PASSES = 6 };
     OWNED(stage) stage = open_stage("scenes/gem.glb");
-    OWNED(renderer) renderer;
-    OWNED(image) one, mean;
     struct renderer_desc desc =
         desc_of(&stage, "clustered", PATCHES "caustics.medium=lines", SIZE, SIZE);
-    desc.progressive = true;
-    open_renderer(&renderer, desc);
-    check_ok("layers", renderer_read_layers(&renderer, &one));
-    for (int pass = 0; pass < PASSES; pass++)
-        renderer_add_pass(&renderer, pass);
-    check_ok("layers", renderer_read_layers(&renderer, &mean));
+    OWNED(image) one = render_layers(&desc), mean = render_mean(&desc, 0, 6);
     check_near("caustic, mean over one", mean_of(&mean, "caustic") / mean_of(&one, "caustic"), 1,
                .1);
     check_near("volume, mean over one", mean_of(&mean, "volume") / mean_of(&one, "volume"), 1, .1);

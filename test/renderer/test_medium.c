@@ -291,18 +291,9 @@ TEST(light_in_camera) {
 
 /* Passes add up: their mean has the airlight of one frame, with less noise. */
 TEST(passes) {
-    enum { PASSES = 8 };
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP "medium.scatter=.3", SIZE, SIZE);
-    OWNED(renderer) renderer;
-    OWNED(image) mean;
-    desc.progressive = true;
-    open_renderer(&renderer, desc);
-    OWNED(image) one;
-    check_ok("layers", renderer_read_layers(&renderer, &one));
-    for (int pass = 0; pass < PASSES; pass++)
-        renderer_add_pass(&renderer, pass);
-    check_ok("layers", renderer_read_layers(&renderer, &mean));
+    OWNED(image) one = render_layers(&desc), mean = render_mean(&desc, 0, 8);
     check_near("mean of passes over one frame's",
                mean_of(&mean, "airlight") / mean_of(&one, "airlight"), 1, .05);
     check_finite("passes", &mean);

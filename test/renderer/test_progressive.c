@@ -10,20 +10,6 @@ enum { SIZE = 48 };
 
 static const char *const box = "scenes/cornell-box.glb";
 
-/* The mean of passes first .. first + count. */
-static struct image render_mean(const struct renderer_desc *desc, int first, int count) {
-    OWNED(renderer) renderer;
-    struct renderer_desc progressive = *desc;
-    struct image image;
-    progressive.progressive = true;
-    check_ok("renderer", renderer_init(&renderer, &progressive));
-    for (int i = 0; i < count; i++)
-        renderer_add_pass(&renderer, first + i);
-    assert_int_equal(renderer_pass_count(&renderer), count);
-    check_ok("layers", renderer_read_layers(&renderer, &image));
-    return image;
-}
-
 /* The worst difference of a layer, over its mean. */
 static double worst_difference(const struct image *a, const struct image *b, const char *layer) {
     int channels[3];

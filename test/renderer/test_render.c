@@ -1,7 +1,6 @@
 /* What may change without changing the picture: the context, the frame, the neighbours,
  * the threads, the order of VPLs, the place of the scene, how meshes are cut. */
 #define _POSIX_C_SOURCE 200809L
-#include "command_support.h"
 #include "render_support.h"
 
 #include "gl/memory.h"
@@ -143,19 +142,6 @@ TEST(threads) {
     }
 }
 
-TEST(contexts_of_binary) {
-    for (int k = 0; k < 2; k++) {
-        if (run_program("info --context %s", k ? "osmesa" : "egl") != 0 ||
-            !strstr(output, "llvmpipe"))
-            skip();
-    }
-    OWNED(image) egl = run_binary("", &recipes[0], "--context egl --gl-debug --set samples=1");
-    struct image osmesa =
-        run_binary("", &recipes[0], "--context osmesa --gl-debug --set samples=1");
-    assert_true(same_pixels(&egl, &osmesa));
-    image_free(&osmesa);
-}
-
 /* --- scenes that are the same ----------------------------------------------------------------- */
 
 /* Every primitive's triangles in two primitives, of which the second is a mesh of its own on a node
@@ -294,25 +280,6 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
     mem_free(before, after);
 }
 
-/* VPLs with their clusters have the sums of those that they were made of. */
-TEST(hue) {
-    OWNED(stage) stage = open_stage(cornell_animal);
-    OWNED(renderer) renderer;
-    open_renderer(&renderer, desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE));
-    struct output_list outputs;
-    renderer_outputs(&renderer, &outputs);
-    float sums[4];
-    gl.GetTextureImage(output_vpls(&outputs)->sums.id, 0, GL_RGBA, GL_FLOAT, sizeof sums, sums);
-    struct vpl *vpls = read_vpls(&renderer);
-    double light[2] = {0};
-    for (int i = 0; i < 1024; i++)
-        for (int c = 0; c < 2; c++)
-            light[c] += vpls[i].reach > 0 ? (double)vpls[i].flux[c] : 0;
-    free(vpls);
-    check_near("sum of red light", (double)sums[2] / light[0], 1, 1e-4);
-    check_near("sum of green light", (double)sums[3] / light[1], 1, 1e-4);
-}
-
 TEST(order) {
     OWNED(stage) stage = open_stage(cornell_animal);
     OWNED(renderer) renderer;
@@ -381,18 +348,6 @@ TEST(memory) {
                       *settings ? 142 : (maps_have_planes ? 138 : 118));
         renderer_free(&renderer);
         assert_int_equal(gpu_memory_total(), before);
-        assert_int_equal(gpu_memory_object_count(), objects);
-    }
-}
-
-/* A renderer that cannot be made leaves nothing behind. */
-TEST(half_built) {
-    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
-    for (int i = 0; i < RECIPES; i++) {
-        OWNED(renderer) renderer;
-        int objects = gpu_memory_object_count();
-        struct renderer_desc desc = desc_of(&stage, recipes[i].technique, "", 1 << 20, 8);
-        assert_false(renderer_init(&renderer, &desc));
         assert_int_equal(gpu_memory_object_count(), objects);
     }
 }

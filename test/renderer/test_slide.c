@@ -268,20 +268,12 @@ TEST(two_spots) {
 
 /* The mean over passes has the colours of one frame. */
 TEST(passes) {
-    enum { PASSES = 4 };
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
     OWNED(stage) stage;
-    OWNED(renderer) renderer;
-    OWNED(image) one, mean;
     open_floor(&stage);
     set_slide(&stage, false);
     struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP, SIZE, SIZE);
-    desc.progressive = true;
-    open_renderer(&renderer, desc);
-    check_ok("layers", renderer_read_layers(&renderer, &one));
-    for (int pass = 0; pass < PASSES; pass++)
-        renderer_add_pass(&renderer, pass);
-    check_ok("layers", renderer_read_layers(&renderer, &mean));
+    OWNED(image) one = render_layers(&desc), mean = render_mean(&desc, 0, 4);
     for (int c = 0; c < 3; c++)
         check_near(channels[c], channel_mean(&mean, channels[c]) / channel_mean(&one, channels[c]),
                    1, .01);

@@ -47,30 +47,6 @@ TEST(far) {
 
 /* --- scale ------------------------------------------------------------------------------------ */
 
-/* The inside of a sphere, a millimetre to a kilometre wide: the closed form (test_light.c) has no
- * length in it but the radius. */
-TEST(scales) {
-    static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
-    for (const struct technique *const *t = techniques; *t; t++) {
-        struct stage stage = open_stage("scenes/sphere.glb");
-        struct image plain = render_stage(&stage, (*t)->name, small, 48);
-        stage_free(&stage);
-        for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
-            if (!is_tried_here(i + 5 * (size_t)(t - techniques), 10)) /* an end */
-                continue;
-            stage = open_stage("scenes/sphere.glb");
-            scale_scene(&stage.scene, scales[i]);
-            pose_stage(&stage);
-            OWNED(image) scaled = render_stage(&stage, (*t)->name, small, 48);
-            printf("  %s, radius %g m\n", (*t)->name, (double)scales[i]);
-            check_at_most("indirect light", relative_rmse(&scaled, &plain, "indirect"), .005);
-            check_at_most("picture", relative_rmse(&scaled, &plain, ""), .005);
-            stage_free(&stage);
-        }
-        image_free(&plain);
-    }
-}
-
 /* A power of two scales without rounding: only a length that is absolute changes the picture. Cross
  * products of the edges of these triangles are shorter than 1e-7. */
 TEST(millimetre) {

@@ -231,6 +231,19 @@ struct image render_layers(const struct renderer_desc *desc) {
     return image;
 }
 
+struct image render_mean(const struct renderer_desc *desc, int first, int count) {
+    OWNED(renderer) renderer;
+    struct renderer_desc progressive = *desc;
+    struct image image;
+    progressive.progressive = true;
+    check_ok("renderer", renderer_init(&renderer, &progressive));
+    for (int i = 0; i < count; i++)
+        renderer_add_pass(&renderer, first + i);
+    assert_int_equal(renderer_pass_count(&renderer), count);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    return image;
+}
+
 struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc) {
     struct image image;
     if (renderer->desc.width > 0)

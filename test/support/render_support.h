@@ -81,8 +81,11 @@ void open_renderer(struct renderer *renderer, struct renderer_desc desc);
 /* All layers of the frame that a renderer of this desc renders. */
 struct image render_layers(const struct renderer_desc *desc);
 
-/* The same by one renderer, which follows from desc to desc of one scene in one pose; the first of
- * a zeroed one makes it. renderer_free frees it. */
+/* The mean of passes first .. first + count - 1. */
+struct image render_mean(const struct renderer_desc *desc, int first, int count);
+
+/* The same as render_layers by one renderer, which follows from desc to desc of one scene in one
+ * pose; the first of a zeroed one makes it. renderer_free frees it. */
 struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc);
 
 /* The same with the desc of desc_of. */
