@@ -3,7 +3,6 @@
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
-#include "base/file/file.h"
 #include "gl/memory.h"
 #include "scene/lights/emitter.h"
 #include "scene/open.h"
@@ -61,11 +60,10 @@ TEST(same_bits_as_program) {
         expect(0, form("%% render %s %s -o @/program.exr --size 48x40", row.scene, row.arguments));
         /* Lights of a view are those of the scene, as --light names them. */
         struct manylight_scene *scene;
-        const struct manylight_scene_desc desc = {.size = sizeof desc,
-                                                  .path = row.scene,
-                                                  .light = row.view.light,
-                                                  .environment = row.environment};
-        check_call("scene", manylight_scene_open(&desc, &scene));
+        check_call("scene",
+                   manylight_scene_open(PART(scene_desc, .path = row.scene, .light = row.view.light,
+                                             .environment = row.environment),
+                                        &scene));
         struct manylight_image *image = draw_once(device, scene, &row.desc, &row.view);
         check_same_as_file(image, scratch("program.exr"));
         manylight_image_free(image);
@@ -78,16 +76,16 @@ TEST(same_bits_as_program) {
 TEST(same_bits_after_changes) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene("scenes/door.glb");
-    struct manylight_view at_0 = {.size = sizeof at_0}, later = {.size = sizeof later, .time = 2};
-    struct manylight_renderer_desc other = {
-        .size = sizeof other, .width = 32, .height = 16, .settings = "vpls=256"};
-    const struct manylight_renderer_desc first = {.size = sizeof first, .width = 48, .height = 40};
-    struct manylight_image *expected = draw_once(device, scene, NULL, &at_0), *image;
+    const struct manylight_view *at_0 = PART(view, .time = 0), *later = PART(view, .time = 2);
+    const struct manylight_renderer_desc *first = PART(renderer_desc, .width = 48, .height = 40),
+                                         *other = PART(renderer_desc, .width = 32, .height = 16,
+                                                       .settings = "vpls=256");
+    struct manylight_image *expected = draw_once(device, scene, NULL, at_0), *image;
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
-    check_call("render", manylight_render(renderer, &later));
-    check_call("change", manylight_renderer_change(renderer, &other));
-    check_call("render", manylight_render(renderer, &later));
-    check_call("change", manylight_renderer_change(renderer, &first));
+    check_call("render", manylight_render(renderer, later));
+    check_call("change", manylight_renderer_change(renderer, other));
+    check_call("render", manylight_render(renderer, later));
+    check_call("change", manylight_renderer_change(renderer, first));
     check_call("render", manylight_render(renderer, NULL));
     check_call("read", manylight_read(renderer, NULL, &image));
     assert_true(same_images(image, expected));
@@ -98,38 +96,7 @@ TEST(same_bits_after_changes) {
     manylight_device_free(device);
 }
 
-TEST(reference_same_bits) {
-    struct manylight_scene *scene = open_scene(BOX);
-    struct manylight_image *image;
-    const struct manylight_reference_desc desc = {
-        .size = sizeof desc, .width = 24, .height = 20, .samples = 8, .bounces = 2, .seed = 5};
-    expect(0, "% reference " BOX " -o @/program.exr --size 24x20 --spp 8 --bounces 2 --seed 5");
-    check_call("reference", manylight_reference(scene, &desc, &image));
-    check_same_as_file(image, scratch("program.exr"));
-    manylight_image_free(image);
-    manylight_scene_free(scene);
-}
-
 /* --- scenes from elsewhere -------------------------------------------------------------------- */
-
-TEST(scene_from_memory) {
-    struct manylight_device *device = open_device();
-    struct manylight_scene *file = open_scene(BOX), *memory;
-    struct file_bytes bytes;
-    check_ok("file", file_read(&bytes, BOX));
-    const struct manylight_scene_desc desc = {
-        .size = sizeof desc, .memory = bytes.data, .memory_bytes = bytes.size};
-    check_call("memory", manylight_scene_open(&desc, &memory));
-    struct manylight_image *a = draw_once(device, file, NULL, NULL),
-                           *b = draw_once(device, memory, NULL, NULL);
-    assert_true(same_images(a, b));
-    manylight_image_free(a);
-    manylight_image_free(b);
-    manylight_scene_free(file);
-    manylight_scene_free(memory);
-    manylight_device_free(device);
-    free(bytes.data);
-}
 
 enum { PARTS_MAX = 64 };
 
@@ -218,13 +185,12 @@ struct party {
 
 static void *draw_alone(void *user) {
     struct party *party = user;
-    const struct manylight_view view = {.size = sizeof view, .time = party->time};
-    const struct manylight_renderer_desc desc = {.size = sizeof desc, .width = 48, .height = 40};
+    const struct manylight_renderer_desc *desc = PART(renderer_desc, .width = 48, .height = 40);
     struct manylight_renderer *renderer;
     for (int i = 0; i < (is_long_run() ? 4 : 1); i++) {
-        if (manylight_renderer_create(party->device, party->scene, &desc, &renderer))
+        if (manylight_renderer_create(party->device, party->scene, desc, &renderer))
             return NULL;
-        if (!manylight_render(renderer, &view)) {
+        if (!manylight_render(renderer, PART(view, .time = party->time))) {
             manylight_image_free(party->image);
             manylight_read(renderer, NULL, &party->image);
         }
@@ -247,8 +213,7 @@ TEST(devices_and_threads) {
     for (int i = 0; i < THREADS; i++)
         pthread_join(threads[i], NULL);
     for (int i = 0; i < THREADS; i++) {
-        const struct manylight_view view = {.size = sizeof view, .time = i};
-        struct manylight_image *alone = draw_once(devices[0], scene, NULL, &view);
+        struct manylight_image *alone = draw_once(devices[0], scene, NULL, PART(view, .time = i));
         assert_non_null(parties[i].image);
         assert_true(same_images(alone, parties[i].image));
         manylight_image_free(alone);
@@ -261,8 +226,7 @@ TEST(devices_and_threads) {
 
 static void *fail_alone(void *user) {
     struct manylight_scene *scene;
-    const struct manylight_scene_desc desc = {.size = sizeof desc, .path = "no-such-file.glb"};
-    manylight_scene_open(&desc, &scene);
+    manylight_scene_open(PART(scene_desc, .path = "no-such-file.glb"), &scene);
     strcpy(user, manylight_error());
     return NULL;
 }
@@ -337,14 +301,12 @@ static void hear(void *user, enum manylight_log_level level, const char *message
 
 TEST(log) {
     const float triangle[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    const struct manylight_mesh mesh = {
-        .size = sizeof mesh, .positions = triangle, .vertex_count = 3};
-    const struct manylight_scene_desc desc = {
-        .size = sizeof desc, .meshes = &mesh, .mesh_count = 1};
+    const struct manylight_mesh *mesh = PART(mesh, .positions = triangle, .vertex_count = 3);
     struct told told = {0};
     struct manylight_scene *scene;
     manylight_log_to(hear, &told);
-    check_call("scene", manylight_scene_open(&desc, &scene));
+    check_call("scene",
+               manylight_scene_open(PART(scene_desc, .meshes = mesh, .mesh_count = 1), &scene));
     manylight_log_to(NULL, NULL);
     printf("    %d: %s\n", told.count, told.last);
     assert_true(told.count > 0);
@@ -375,37 +337,20 @@ TEST(progress) {
     struct manylight_image *image;
     const struct manylight_renderer_desc desc = {.passes = 4};
     struct steps steps = {.renderer = open_drawing(device, scene, &desc)};
-    const struct manylight_view view = {.size = sizeof view, .progress = step, .user = &steps};
-    check_call("render", manylight_render(steps.renderer, &view));
+    check_call("render",
+               manylight_render(steps.renderer, PART(view, .progress = step, .user = &steps)));
     assert_int_equal(steps.count, 4);
     assert_int_equal(steps.nested, MANYLIGHT_BAD_ARGUMENT);
     check_near("done", steps.done, 1, 0);
     struct steps cancelled = {.renderer = steps.renderer, .last = 2};
-    const struct manylight_view cancels = {
-        .size = sizeof view, .progress = step, .user = &cancelled};
-    check_failed(manylight_render(steps.renderer, &cancels), MANYLIGHT_CANCELLED, "cancelled");
+    check_failed(manylight_render(steps.renderer, PART(view, .progress = step, .user = &cancelled)),
+                 MANYLIGHT_CANCELLED, "cancelled");
     assert_int_equal(cancelled.count, 2);
     check_failed(manylight_read(steps.renderer, NULL, &image), MANYLIGHT_BAD_ARGUMENT, "no frame");
     check_call("render", manylight_render(steps.renderer, NULL));
     manylight_renderer_free(steps.renderer);
     manylight_scene_free(scene);
     manylight_device_free(device);
-}
-
-static int cancel(void *user, double done, const char *note) {
-    (void)user, (void)done, (void)note;
-    return 1;
-}
-
-TEST(reference_cancelled) {
-    struct manylight_scene *scene = open_scene(BOX);
-    struct manylight_image *image;
-    const struct manylight_view view = {.size = sizeof view, .progress = cancel};
-    const struct manylight_reference_desc desc = {
-        .size = sizeof desc, .width = 64, .height = 64, .samples = 256, .view = &view};
-    check_failed(manylight_reference(scene, &desc, &image), MANYLIGHT_CANCELLED, "cancelled");
-    assert_null(image);
-    manylight_scene_free(scene);
 }
 
 /* --- layers and metrics ----------------------------------------------------------------------- */

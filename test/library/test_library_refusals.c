@@ -2,12 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #define BOX "scenes/cornell-box.glb"
-#define SCENE(...)                                                                                 \
-    (&(struct manylight_scene_desc){.size = sizeof(struct manylight_scene_desc), __VA_ARGS__})
+#define SCENE(...) PART(scene_desc, __VA_ARGS__)
 
 /* The program ends with "manylight render: MESSAGE", and more of wrong usage. */
 static void check_words(enum manylight_status status, enum manylight_status wanted,
@@ -24,62 +20,6 @@ static void check_broken_file(const char *path) {
     const char *line = form("%% render %s -o @/x.exr", path);
     check_words(manylight_scene_open(SCENE(.path = path), &scene), MANYLIGHT_BAD_SCENE, line);
     assert_null(scene);
-}
-
-/* What a child does with the handles of its parent; the number of the first wrong answer. */
-static int use_in_child(struct manylight_device *device, struct manylight_scene *scene,
-                        struct manylight_renderer *renderer) {
-    const struct manylight_device_desc desc = {.size = sizeof desc, .allow_software = 1};
-    const struct manylight_reference_desc small = {
-        .size = sizeof small, .width = 4, .height = 4, .samples = 1};
-    struct manylight_device *own;
-    struct manylight_device_info info = {.size = sizeof info};
-    struct manylight_renderer *made;
-    struct manylight_image *image;
-    char text[256];
-    double ms;
-    manylight_list_devices(text, sizeof text);
-    const int answers[] = {manylight_device_create(&desc, &own),
-                           manylight_device_info(device, &info),
-                           manylight_renderer_create(device, scene, NULL, &made),
-                           manylight_renderer_change(renderer, NULL),
-                           manylight_render(renderer, NULL),
-                           manylight_read(renderer, NULL, &image),
-                           manylight_milliseconds(renderer, "frame", &ms)};
-    for (int i = 0; i < (int)(sizeof answers / sizeof *answers); i++)
-        if (answers[i] != MANYLIGHT_NO_DEVICE || !strstr(manylight_error(), "forked"))
-            return i + 1;
-    if (!strstr(text, "forked"))
-        return 20;
-    manylight_renderer_free(renderer);
-    manylight_device_free(device);
-    if (manylight_reference(scene, &small, &image))
-        return 21;
-    manylight_image_free(image);
-    manylight_scene_free(scene);
-    return 0;
-}
-
-/* A child does without the driver's threads: it gets errors, and may trace paths. exit() of Mesa
- * may wait for a thread of the parent, as its stack is that of a new one. */
-TEST(forked) {
-    int status;
-    struct manylight_device *device = open_device();
-    struct manylight_scene *scene = open_scene(BOX);
-    struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
-    check_call("render", manylight_render(renderer, NULL));
-    fflush(stdout);
-    pid_t child = fork();
-    if (child == 0) {
-        alarm(30);
-        _exit(use_in_child(device, scene, renderer));
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    assert_int_equal(status, 0);
-    check_call("the parent's", manylight_render(renderer, NULL));
-    manylight_renderer_free(renderer);
-    manylight_scene_free(scene);
-    manylight_device_free(device);
 }
 
 TEST(broken_scenes) {
@@ -101,91 +41,53 @@ TEST(broken_scenes) {
                  MANYLIGHT_BAD_SCENE, "memory: the file is empty");
 }
 
-/* Each array of a triangle with a fault. */
+/* A scene of arrays, each with one fault. */
+static const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                   odd_corners[] = {0, 0, 0, 1, NAN, 0, 0, 1, 0};
+static const uint32_t indices[] = {0, 1, 7};
+#define MESH(...) .meshes = PART(mesh, .vertex_count = 3, __VA_ARGS__), .mesh_count = 1
+#define MATERIAL(...)                                                                              \
+    MESH(.positions = corners), .materials = PART(material, __VA_ARGS__), .material_count = 1
+#define LIGHT(...) MESH(.positions = corners), .lights = PART(light, __VA_ARGS__), .light_count = 1
+#define CAMERA(...)                                                                                \
+    MESH(.positions = corners), .cameras = PART(camera, __VA_ARGS__), .camera_count = 1
+static const struct {
+    const struct manylight_scene_desc *desc;
+    const char *words;
+} broken[] = {
+    {SCENE(MESH(.positions = corners, .indices = indices, .index_count = 3)), "arrays: mesh 0"},
+    {SCENE(MESH(.positions = corners, .indices = indices, .index_count = 2)),
+     "arrays: mesh 0: 2 indices make no whole triangles"},
+    {SCENE(MESH(.positions = odd_corners)),
+     "arrays: mesh 0: the position of vertex 1 is not finite"},
+    {SCENE(MESH(.positions = NULL)), "mesh 0: positions is NULL"},
+    {SCENE(MESH(.positions = corners, .material = 3)),
+     "arrays: mesh 0: material: 3 is not from 0 to 0"},
+    {SCENE(MATERIAL(.emission = {0, INFINITY})), "material 0: emission: inf is not finite"},
+    {SCENE(MATERIAL(.base_color = {255, 0, 0, 1})),
+     "material 0: base_color: 255 is not from 0 to 1"},
+    {SCENE(MATERIAL(.picture = "not a picture", .picture_bytes = 13)),
+     "material 0: picture: its bytes are neither PNG nor JPEG"},
+    {SCENE(MATERIAL(.picture = "\x89PNG, cut off", .picture_bytes = 13)), "material 0: picture: "},
+    {SCENE(LIGHT(.intensity = {NAN})), "light 0: intensity: nan is not finite"},
+    {SCENE(LIGHT(.type = MANYLIGHT_AREA)), "light 0: extent: the width is 0"},
+    {SCENE(LIGHT(.inner_angle = 1)), "light 0: inner_angle: 1 is not from 0 to 0.7854"},
+    {SCENE(LIGHT(.up = {0, 1, 0})), "light 0: up is along direction"},
+    {SCENE(CAMERA(.forward = {0, 1, 0}, .up = {0, 2, 0})), "camera 0: up is along forward"},
+    {SCENE(CAMERA(.near_plane = -1)), "camera 0: near_plane: -1 is below 0"},
+    {SCENE(CAMERA(.right = {1.5F})), "camera 0: right is not that of forward and up"},
+};
+
 TEST(broken_arrays) {
     struct manylight_scene *scene;
-    const float good[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, bad[] = {0, 0, 0, 1, NAN, 0, 0, 1, 0};
-    const uint32_t indices[] = {0, 1, 7};
-    struct manylight_mesh mesh = {.size = sizeof mesh,
-                                  .positions = good,
-                                  .vertex_count = 3,
-                                  .indices = indices,
-                                  .index_count = 3};
-    const struct manylight_scene_desc desc = {
-        .size = sizeof desc, .meshes = &mesh, .mesh_count = 1};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: mesh 0");
-    mesh.index_count = 2;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "arrays: mesh 0: 2 indices make no whole triangles");
-    mesh.indices = NULL;
-    mesh.positions = bad;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "arrays: mesh 0: the position of vertex 1 is not finite");
-    mesh.positions = NULL;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "mesh 0: positions is NULL");
-    mesh.positions = good;
-    mesh.material = 3;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "arrays: mesh 0: material: 3 is not from 0 to 0");
-    mesh.material = 0;
-    mesh.size = 0;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
-                 "manylight_mesh: its size is 0");
-}
-
-/* A part of each kind that no file could hold. */
-TEST(broken_parts) {
-    struct manylight_scene *scene;
-    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    const struct manylight_mesh mesh = {
-        .size = sizeof mesh, .positions = positions, .vertex_count = 3};
-    struct manylight_material material = {.size = sizeof material, .emission = {0, INFINITY}};
-    struct manylight_light light = {.size = sizeof light, .intensity = {NAN}};
-    struct manylight_camera camera = {.size = sizeof camera, .forward = {0, 1, 0}, .up = {0, 2, 0}};
-    struct manylight_scene_desc desc = {
-        .size = sizeof desc, .meshes = &mesh, .mesh_count = 1, .light_count = 2};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
-                 "a list of 2 parts is NULL");
-    desc.light_count = 0;
-    desc.materials = &material;
-    desc.material_count = 1;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "material 0: emission: inf is not finite");
-    material = (struct manylight_material){.size = sizeof material, .base_color = {255, 0, 0, 1}};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "material 0: base_color: 255 is not from 0 to 1");
-    material = (struct manylight_material){
-        .size = sizeof material, .picture = "not a picture", .picture_bytes = 13};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "material 0: picture: its bytes are neither PNG nor JPEG");
-    material.picture = "\x89PNG, cut off";
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "material 0: picture: ");
-    material = (struct manylight_material){.size = sizeof material};
-    desc.lights = &light;
-    desc.light_count = 1;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "light 0: intensity: nan is not finite");
-    light = (struct manylight_light){.size = sizeof light, .type = MANYLIGHT_AREA};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "light 0: extent: the width is 0");
-    light = (struct manylight_light){.size = sizeof light, .inner_angle = 1};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "light 0: inner_angle: 1 is not from 0 to 0.7854");
-    light = (struct manylight_light){.size = sizeof light, .up = {0, 1, 0}};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "light 0: up is along direction");
-    desc.light_count = 0;
-    desc.cameras = &camera;
-    desc.camera_count = 1;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "camera 0: up is along forward");
-    camera = (struct manylight_camera){.size = sizeof camera, .near_plane = -1};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "camera 0: near_plane: -1 is below 0");
-    camera = (struct manylight_camera){.size = sizeof camera, .right = {1.5F}};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "camera 0: right is not that of forward and up");
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++)
+        check_failed(manylight_scene_open(broken[i].desc, &scene), MANYLIGHT_BAD_SCENE,
+                     broken[i].words);
+    check_failed(manylight_scene_open(
+                     SCENE(.meshes = &(struct manylight_mesh){.size = 0}, .mesh_count = 1), &scene),
+                 MANYLIGHT_BAD_ARGUMENT, "manylight_mesh: its size is 0");
+    check_failed(manylight_scene_open(SCENE(MESH(.positions = corners), .light_count = 2), &scene),
+                 MANYLIGHT_BAD_ARGUMENT, "a list of 2 parts is NULL");
 }
 
 TEST(scene_descriptors) {
@@ -278,37 +180,36 @@ TEST(refused_change) {
     manylight_device_free(device);
 }
 
+/* Cameras that no view may have. */
+static const struct {
+    struct manylight_camera *camera;
+    const char *words;
+} cameras[] = {
+    {PART(camera, .eye = {NAN}), "camera: eye: nan is not finite"},
+    {PART(camera, .forward = {.2F, 0, -1}, .right = {1}, .up = {0, 1, 0}),
+     "camera: right, up and forward are not at right angles"},
+    {PART(camera, .fov_y = 60), "camera: fov_y (radians): 60 is not from 0 to 3.142"},
+    {PART(camera, .forward = {0, 1, 0}), "camera: up is along forward"},
+};
+
 TEST(views) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
-    struct manylight_view view = {.size = sizeof view, .camera = "9"};
-    struct manylight_camera camera = {.size = sizeof camera, .eye = {NAN}};
     struct manylight_image *image;
     char text[16];
-    check_words(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+    check_words(manylight_render(renderer, PART(view, .camera = "9")), MANYLIGHT_BAD_ARGUMENT,
                 "% render " BOX " -o @/x.exr --camera 9");
-    view = (struct manylight_view){.size = sizeof view, .light = "sun"};
-    check_words(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+    check_words(manylight_render(renderer, PART(view, .light = "sun")), MANYLIGHT_BAD_ARGUMENT,
                 "% render " BOX " -o @/x.exr --light sun");
-    view = (struct manylight_view){.size = sizeof view, .time = -1};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT, "time: -1");
-    view = (struct manylight_view){.size = sizeof view, .placed = &camera};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
-                 "camera: eye: nan is not finite");
-    camera = (struct manylight_camera){
-        .size = sizeof camera, .forward = {.2F, 0, -1}, .right = {1}, .up = {0, 1, 0}};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
-                 "camera: right, up and forward are not at right angles");
-    camera = (struct manylight_camera){.size = sizeof camera, .fov_y = 60};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
-                 "camera: fov_y (radians): 60 is not from 0 to 3.142");
-    camera = (struct manylight_camera){.size = sizeof camera, .forward = {0, 1, 0}};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
-                 "camera: up is along forward");
+    check_failed(manylight_render(renderer, PART(view, .time = -1)), MANYLIGHT_BAD_ARGUMENT,
+                 "time: -1");
+    for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
+        check_failed(manylight_render(renderer, PART(view, .placed = cameras[i].camera)),
+                     MANYLIGHT_BAD_ARGUMENT, cameras[i].words);
     check_call("render", manylight_render(renderer, NULL));
-    view = (struct manylight_view){.size = 0};
-    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT, "its size is 0");
+    check_failed(manylight_render(renderer, &(struct manylight_view){.size = 0}),
+                 MANYLIGHT_BAD_ARGUMENT, "its size is 0");
     check_failed(manylight_read(renderer, NULL, &image), MANYLIGHT_BAD_ARGUMENT, "no frame");
     check_failed(manylight_renderer_setting(renderer, NULL, text, sizeof text),
                  MANYLIGHT_BAD_ARGUMENT, "name is NULL");
@@ -387,21 +288,18 @@ TEST(too_much_memory) {
 TEST(reference) {
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_image *image;
-    struct manylight_reference_desc desc = {.size = sizeof desc, .samples = 4, .noise = .1F};
-    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
-                "% reference " BOX " -o @/x.exr --spp 4 --noise .1");
-    desc = (struct manylight_reference_desc){.size = sizeof desc, .noise = -1};
-    check_failed(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
-                 "noise: -1 is not from 0 to 1");
-    desc = (struct manylight_reference_desc){.size = sizeof desc, .bounces = 2000};
-    check_failed(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
-                 "bounces: 2000 is not from 0 to 1000");
-    desc = (struct manylight_reference_desc){.size = sizeof desc, .settings = "vpls=4"};
-    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_SETTING,
-                "% reference " BOX " -o @/x.exr --set vpls=4");
-    desc =
-        (struct manylight_reference_desc){.size = sizeof desc, .smooth = 1, .materials = "diffuse"};
-    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
+    check_words(
+        manylight_reference(scene, PART(reference_desc, .samples = 4, .noise = .1F), &image),
+        MANYLIGHT_BAD_ARGUMENT, "% reference " BOX " -o @/x.exr --spp 4 --noise .1");
+    check_failed(manylight_reference(scene, PART(reference_desc, .noise = -1), &image),
+                 MANYLIGHT_BAD_ARGUMENT, "noise: -1 is not from 0 to 1");
+    check_failed(manylight_reference(scene, PART(reference_desc, .bounces = 2000), &image),
+                 MANYLIGHT_BAD_ARGUMENT, "bounces: 2000 is not from 0 to 1000");
+    check_words(manylight_reference(scene, PART(reference_desc, .settings = "vpls=4"), &image),
+                MANYLIGHT_BAD_SETTING, "% reference " BOX " -o @/x.exr --set vpls=4");
+    check_words(manylight_reference(
+                    scene, PART(reference_desc, .smooth = 1, .materials = "diffuse"), &image),
+                MANYLIGHT_BAD_ARGUMENT,
                 "% reference " BOX " -o @/x.exr --smooth --materials diffuse");
     assert_null(image);
     manylight_scene_free(scene);

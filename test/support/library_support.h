@@ -8,6 +8,10 @@
 #include "base/image.h"
 #include "library/manylight.h"
 
+/* A struct of the library's header, by its name without manylight_ and its members. */
+#define PART(type, ...)                                                                            \
+    (&(struct manylight_##type){.size = sizeof(struct manylight_##type), __VA_ARGS__})
+
 /* Fails unless the call succeeded; prints the library's error. */
 void check_call(const char *what, enum manylight_status status);
 
