@@ -39,8 +39,7 @@ static inline void rest(void) {
  * where there is no server. */
 static inline void begin_viewer(const struct viewer_desc *desc) {
     struct viewer_desc cheap = *desc;
-    if (!stage.server)
-        skip();
+    need_server();
     cheap.debug = true;
     renderer_settings_init(&cheap.settings);
     check_ok(CHEAP_SETTINGS, settings_assign(&cheap.settings, CHEAP_SETTINGS));

@@ -363,10 +363,14 @@ static void remove_places(void) {
     remove(path);
 }
 
-static void spawn_viewer(const char *arguments) {
-    char command[2000], line[2100];
+void need_server(void) {
     if (!stage.server)
         skip();
+}
+
+static void spawn_viewer(const char *arguments) {
+    char command[2000], line[2100];
+    need_server();
     end_process(&stage.viewer); /* left by the test before, it would take this one's keys */
     /* Under make asan: GLFW unloads the driver with what that has lost; leaks of ours are
      * test_view_leaks' to find. */

@@ -40,7 +40,8 @@ void start_viewer(const char *scene, const char *arguments);
 /* The same with nothing but these arguments, and without a scene. */
 void start_empty_viewer(const char *arguments);
 
-/* Skips the test where no viewer runs. */
+/* Skip the test where no window can be opened; where no viewer runs. */
+void need_server(void);
 void need_viewer(void);
 
 /* Waits until the window shows a scene of that file. */

@@ -172,8 +172,7 @@ TEST(presets) {
 }
 
 TEST(script) {
-    if (!stage.server)
-        skip();
+    need_server();
     const char *path = form("%s/script.png", stage.folder);
     /* GLFW unloads the driver at the end, and with it the names of what the driver loses;
      * test_view_leaks looks for ours. */

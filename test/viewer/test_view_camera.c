@@ -146,8 +146,7 @@ TEST(frame) {
 /* --- time ------------------------------------------------------------------------------------- */
 
 TEST(steps) {
-    if (!stage.server)
-        skip();
+    need_server();
     start_viewer(MOVING, "");
     sync_viewer();
     xdo("key period key period key period key comma");

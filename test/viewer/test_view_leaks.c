@@ -232,8 +232,7 @@ static void check_kept(const char *what, void (*step)(int round), int least) {
 
 /* A driver that the user interface cannot use: what was begun of it ends well. */
 TEST(no_interface) {
-    if (!stage.server)
-        skip();
+    need_server();
     struct window *window =
         window_create(&(struct window_desc){.title = "manylight", .width = 60, .height = 40});
     assert_non_null(window);

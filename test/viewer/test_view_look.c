@@ -15,8 +15,7 @@ static const char *render_small(const char *name, const char *arguments) {
 }
 
 static void begin(void) {
-    if (!stage.server)
-        skip();
+    need_server();
     const char *arguments =
         form("--technique unshadowed --reference %s", render_small("reference.exr", BOX));
     start_viewer(BOX, arguments);
@@ -142,8 +141,7 @@ static void open_surface(void) {
 /* What was clicked on stays the same place, however often it is looked at from elsewhere. */
 TEST(pick) {
     char first[300];
-    if (!stage.server)
-        skip();
+    need_server();
     start_viewer(BOX, "");
     sync_viewer();
     open_surface();
@@ -162,8 +160,7 @@ TEST(pick) {
 
 /* Where no surface is there is no normal. */
 TEST(normals) {
-    if (!stage.server)
-        skip();
+    need_server();
     start_viewer(BOX, "");
     sync_viewer();
     press("output");
@@ -184,8 +181,7 @@ TEST(normals) {
 /* Four VALs' shadows have their numbers and colours, and what their own colours stand for. */
 TEST(sheet) {
     int x, y, wrong = 0;
-    if (!stage.server)
-        skip();
+    need_server();
     start_viewer(BOX, "");
     press("output");
     press("visibility");

@@ -3,6 +3,8 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
+#include "gltf_parts.h"
+
 #define BOX "scenes/cornell-box.glb"
 #define SPHERE "scenes/sphere.glb"
 
@@ -113,22 +115,6 @@ TEST(sky_turned) {
                "scenes/three-lights.glb " SKY " --environment-turn 90 --environment-strength 2.5");
 }
 
-/* A square without lights and camera; what the scene's arguments are. */
-static const char *write_unlit(void) {
-    static const char text[] =
-        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
-        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
-        "\"indices\":1}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,"
-        "\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"
-        "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
-        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"
-        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],\"buffers\":[{\"byteLength\":60,"
-        "\"uri\":\"data:application/octet-stream;base64,AACAvwAAAAAAAIC/AACAPwAAAAAAAIC/"
-        "AACAvwAAAAAAAIA/AACAPwAAAAAAAIA/AAACAAEAAQACAAMA\"}]}";
-    write_in_stage("unlit.gltf", text);
-    return in_stage("unlit.gltf");
-}
-
 static void empty_sky_field(void) {
     int x, y;
     find_place("sky", &x, &y);
@@ -143,10 +129,10 @@ static void empty_sky_field(void) {
  * sky is removed; the copied line says it all. */
 TEST(sky_of_unlit_scene) {
     need_viewer();
-    const char *unlit = form("%s", write_unlit());
+    const char *unlit = form("%s", write_parts("unlit.glb", &PARTS(.asset = NULL)));
     const char *under_sky = form("%s --environment scenes/day.hdr", unlit);
     drop(unlit);
-    wait_for_scene("unlit.gltf");
+    wait_for_scene("unlit.glb");
     drop("scenes/day.hdr");
     check_same("a sky where no light was", under_sky);
     const char *command = copy_command();

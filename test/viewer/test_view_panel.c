@@ -5,8 +5,7 @@
 #define BOX "scenes/cornell-box.glb"
 
 static void begin(const char *arguments) {
-    if (!stage.server)
-        skip();
+    need_server();
     start_viewer(BOX, arguments);
     sync_viewer();
 }

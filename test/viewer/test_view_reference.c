@@ -51,8 +51,7 @@ static double error_by_hand(const struct image *test, const struct image *refere
 
 /* The error that is shown, by hand. */
 TEST(error) {
-    if (!stage.server)
-        skip();
+    need_server();
     turn_until(!viewer_is_tracing(&viewer) || viewer.tracing.samples >= 32);
     reference_tracer_pause(&viewer.tracing.tracer, true);
     rest();
@@ -69,8 +68,7 @@ TEST(error) {
 
 /* Another view ends the tracing; taken back, it is the traced one again. */
 TEST(other_view) {
-    if (!stage.server)
-        skip();
+    need_server();
     rest();
     assert_true(viewer.tracing.of_view);
     orbit_turn(&viewer.placed.orbit, .1F, 0);
@@ -87,8 +85,7 @@ TEST(other_view) {
 }
 
 TEST(chart) {
-    if (!stage.server)
-        skip();
+    need_server();
     viewer_chart(&viewer);
     turn_until(!viewer_is_charting(&viewer));
     rest();
@@ -111,8 +108,7 @@ TEST(chart) {
 
 /* What a click on a dot makes is what the dot measured, bit for bit. */
 TEST(take) {
-    if (!stage.server)
-        skip();
+    need_server();
     OWNED(image) frame = {0}, indirect;
     viewer_take_dot(&viewer, 0);
     rest();
@@ -123,8 +119,7 @@ TEST(take) {
 
 /* In the midst of all of it. */
 TEST(end) {
-    if (!stage.server)
-        skip();
+    need_server();
     viewer_forget_reference(&viewer);
     rest();
     viewer_chart(&viewer);

@@ -52,8 +52,7 @@ TEST(reference_is_kept) {
  * mean. */
 TEST(one_error) {
     double error, with_noise;
-    if (!stage.server)
-        skip();
+    need_server();
     reference_tracer_pause(&viewer.tracing.tracer, true);
     viewer.shown.layer = LAYER_INDIRECT;
     viewer.shown.compare.measured = false;
@@ -118,8 +117,7 @@ static long size_of(const char *name) {
 /* The ten thousandth picture overwrites none. */
 TEST(no_picture_is_overwritten) {
     char here[512];
-    if (!stage.server)
-        skip();
+    need_server();
     assert_non_null(getcwd(here, sizeof here));
     assert_int_equal(shell("mkdir -p %s/full", stage.folder), 0);
     assert_int_equal(chdir(in_stage("full")), 0);
@@ -141,8 +139,7 @@ TEST(no_picture_is_overwritten) {
 TEST(reference_is_saved) {
     struct image saved = {0};
     char here[512];
-    if (!stage.server)
-        skip();
+    need_server();
     const struct image *traced = &viewer.shown.compare.reference.picture;
     assert_non_null(getcwd(here, sizeof here));
     assert_int_equal(chdir(stage.folder), 0);

@@ -4,6 +4,7 @@
 #include "view_stage.h"
 
 #include "desktop.h"
+#include "gltf_parts.h"
 
 #define SIZE "--size 240x740 "
 
@@ -49,18 +50,12 @@ TEST(letters) {
         skip();
     static const char *const names[] = {"\xe6\x9d\xb1", "\xe4\xba\xac"};
     int x, y[2], different = 0;
-    write_in_stage("names.gltf",
-                   "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
-                   "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["
-                   "{\"attributes\":{\"POSITION\":0},\"material\":0},"
-                   "{\"attributes\":{\"POSITION\":0},\"material\":1}]}],"
-                   "\"materials\":[{\"name\":\"\xe6\x9d\xb1\"},{\"name\":\"\xe4\xba\xac\"}],"
-                   "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
-                   "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}],"
-                   "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{"
-                   "\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
-                   "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}");
-    start_viewer(in_stage("names.gltf"), "");
+    start_viewer(
+        write_parts("names.glb",
+                    &PARTS(.materials = "[{name: '\xe6\x9d\xb1'}, {name: '\xe4\xba\xac'}]",
+                           .meshes = "[{primitives: [{attributes: {POSITION: 0}, material: 0}, "
+                                     "{attributes: {POSITION: 0}, material: 1}]}]")),
+        "");
     press("What it holds");
     rest_mouse();
     for (int i = 0; i < 2; i++)
@@ -79,8 +74,7 @@ TEST(letters) {
 
 /* The desktop's own, where there is one. */
 TEST(desktop_dialog) {
-    if (!stage.server)
-        skip();
+    need_server();
     assert_int_equal(shell("cp %s/scenes/sphere.glb %s/here.glb", stage.here, stage.folder), 0);
     assert_int_equal(shell("mkdir -p %s/bin && printf '#!/bin/sh\\nsleep .5; echo %s/here.glb\\n' "
                            "> %s/bin/zenity && "
@@ -97,8 +91,7 @@ TEST(desktop_dialog) {
 
 /* What was saved is there again, at twice the size of widgets. */
 TEST(options) {
-    if (!stage.server)
-        skip();
+    need_server();
     write_in_stage("told.settings",
                    "layer = indirect\nvpls = 64\nvals = 4\nmap-size = 32\nrsm-size = 64\n"
                    "shadow-size = 256\ninterleave = 4\nexposure = 1\n");
@@ -135,8 +128,7 @@ static void expect_field(const char *name, const char *words) {
 
 /* The panel's fields have what the command line gave; a scene's materials are listed. */
 TEST(fields) {
-    if (!stage.server)
-        skip();
+    need_server();
     const char *path = render_file("reference.exr", WIDTH, HEIGHT, "scenes/sphere.glb");
     const char *arguments = form("--reference %s", path);
     start_viewer("scenes/sphere.glb", arguments);
@@ -153,8 +145,7 @@ TEST(fields) {
 
 /* A window of its own: a least size; the picture alone until F2. */
 TEST(window) {
-    if (!stage.server)
-        skip();
+    need_server();
     char output[64];
     int width, height, x, y;
     start_viewer("scenes/sphere.glb", "--no-panel");

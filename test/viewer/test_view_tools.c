@@ -84,8 +84,7 @@ TEST(end) {
 
 /* Left the technique, right what was rendered before, read from its EXR and toned alike. */
 TEST(reference) {
-    if (!stage.server)
-        skip();
+    need_server();
     const char *arguments = form("--technique unshadowed --reference %s",
                                  render_file("reference.exr", WIDTH, HEIGHT, BOX));
     start_viewer(BOX, arguments);
