@@ -180,7 +180,7 @@ static void trace(int round) {
 static void chart(int round) {
     viewer_chart(&viewer);
     turn_until(viewer.tracing.chart.next > round % 3);
-    viewer_take_dot(&viewer, 0);
+    viewer_take_row(&viewer, 0);
     settle();
 }
 

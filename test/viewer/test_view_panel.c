@@ -39,7 +39,7 @@ TEST(click) {
     end_viewer();
 }
 
-/* In a window of 400 pixels the chart's place is below the edge until it is asked for. */
+/* In a window of 400 pixels the chart's rows are below the edge until it is asked for. */
 TEST(chart_comes_into_view) {
     begin("--size 100x400");
     press("Quality");
@@ -48,7 +48,7 @@ TEST(chart_comes_into_view) {
     bool shown = false;
     for (int i = 0; i < 200 && !shown; i++) {
         sync_viewer();
-        shown = is_on_screen("chart");
+        shown = is_on_screen("Draft##row");
     }
     assert_true(shown);
     end_viewer();

@@ -91,30 +91,30 @@ TEST(chart) {
     rest();
     const struct chart *chart = &viewer.tracing.chart;
     for (int i = 0; i < chart->count; i++) {
-        const struct chart_dot *dot = &chart->dots[i];
-        printf("    %-20s %8.1f ms, error %.3f\n", dot->name, dot->ms, dot->error);
-        assert_int_equal(dot->state, DOT_MEASURED);
-        assert_true(dot->has_error && dot->ms > 0);
-        assert_true(dot->error < .6);
+        const struct chart_row *row = &chart->rows[i];
+        printf("    %-20s %8.1f ms, error %.3f\n", row->name, row->ms, row->error);
+        assert_int_equal(row->state, ROW_MEASURED);
+        assert_true(row->has_error && row->ms > 0);
+        assert_true(row->error < .6);
     }
-    assert_string_equal(chart->dots[chart->count - 1].name, "as it is");
-    check_near("as it is, and as it is shown", chart->dots[chart->count - 1].error,
+    assert_string_equal(chart->rows[chart->count - 1].name, "as it is");
+    check_near("as it is, and as it is shown", chart->rows[chart->count - 1].error,
                viewer.tracing.error, .001);
     int cheapest = chart_cheapest(chart, .2);
     assert_true(cheapest >= 0);
     for (int i = 0; i < chart->count; i++)
-        assert_true(chart->dots[i].error >= .2 || chart->dots[i].ms >= chart->dots[cheapest].ms);
+        assert_true(chart->rows[i].error >= .2 || chart->rows[i].ms >= chart->rows[cheapest].ms);
 }
 
-/* What a click on a dot makes is what the dot measured, bit for bit. */
+/* What a click on a row makes is what the row measured, bit for bit. */
 TEST(take) {
     need_server();
     OWNED(image) frame = {0}, indirect;
-    viewer_take_dot(&viewer, 0);
+    viewer_take_row(&viewer, 0);
     rest();
     check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
     check_ok("indirect", layer_extract(&indirect, &frame, "indirect"));
-    assert_true(same_pixels(&indirect, &viewer.tracing.chart.dots[0].indirect));
+    assert_true(same_pixels(&indirect, &viewer.tracing.chart.rows[0].indirect));
 }
 
 /* In the midst of all of it. */

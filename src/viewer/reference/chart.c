@@ -14,16 +14,16 @@ static void add(struct chart *chart, const char *name, const struct technique *t
                 const struct settings *settings) {
     if (chart->count == CHART_MAX)
         return;
-    struct chart_dot *dot = &chart->dots[chart->count++];
-    *dot = (struct chart_dot){.technique = technique, .settings = *settings};
-    snprintf(dot->name, sizeof dot->name, "%s", name);
+    struct chart_row *row = &chart->rows[chart->count++];
+    *row = (struct chart_row){.technique = technique, .settings = *settings};
+    snprintf(row->name, sizeof row->name, "%s", name);
 }
 
 static bool has(const struct chart *chart, const struct technique *technique,
                 const struct settings *settings) {
     for (int i = 0; i < chart->count; i++)
-        if (chart->dots[i].technique == technique &&
-            renderer_settings_same(&chart->dots[i].settings, settings, technique->parts))
+        if (chart->rows[i].technique == technique &&
+            renderer_settings_same(&chart->rows[i].settings, settings, technique->parts))
             return true;
     return false;
 }
@@ -47,18 +47,18 @@ void chart_plan(struct chart *chart, const struct technique *technique,
 
 void chart_free(struct chart *chart) {
     for (int i = 0; i < chart->count; i++)
-        image_free(&chart->dots[i].indirect);
+        image_free(&chart->rows[i].indirect);
     *chart = (struct chart){0};
 }
 
 /* --- measuring --- */
 
 /* Triangles drawn into maps of single lights: software OpenGL draws some millions a second. */
-static bool takes_minutes(const struct chart_dot *dot, const struct renderer_desc *shown) {
+static bool takes_minutes(const struct chart_row *row, const struct renderer_desc *shown) {
     static const double triangles_at_most = 6e7;
-    bool map_per_light = strcmp(dot->technique->name, "instant-radiosity") == 0;
+    bool map_per_light = strcmp(row->technique->name, "instant-radiosity") == 0;
     struct settings chosen =
-        renderer_settings_chosen(&dot->settings, dot->technique, shown->scene, shown->geometry);
+        renderer_settings_chosen(&row->settings, row->technique, shown->scene, shown->geometry);
     return gl.software && map_per_light &&
            settings_number(&chosen, "lights.vpls") *
                    (double)geometry_triangle_count(shown->geometry) >
@@ -84,40 +84,40 @@ static double time_frames(struct renderer *renderer) {
     return summary_of(ms, count).value;
 }
 
-static bool measure(struct chart_dot *dot, const struct renderer_desc *shown) {
+static bool measure(struct chart_row *row, const struct renderer_desc *shown) {
     struct renderer renderer;
     struct image all = {0};
     struct renderer_desc desc = *shown;
-    desc.technique = dot->technique;
-    desc.settings = dot->settings;
+    desc.technique = row->technique;
+    desc.settings = row->settings;
     desc.progressive = desc.timed = desc.keep_lights = false;
     if (!renderer_init(&renderer, &desc))
         return false;
-    dot->ms = time_frames(&renderer);
+    row->ms = time_frames(&renderer);
     bool ok =
-        renderer_read_layers(&renderer, &all) && layer_extract(&dot->indirect, &all, "indirect");
+        renderer_read_layers(&renderer, &all) && layer_extract(&row->indirect, &all, "indirect");
     image_free(&all);
     renderer_free(&renderer);
     return ok;
 }
 
 bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown) {
-    struct chart_dot *dot = &chart->dots[chart->next++];
+    struct chart_row *row = &chart->rows[chart->next++];
     chart->is_announced = false;
-    dot->state = DOT_LEFT_OUT;
-    if (takes_minutes(dot, shown))
+    row->state = ROW_LEFT_OUT;
+    if (takes_minutes(row, shown))
         return true;
-    bool ok = measure(dot, shown);
+    bool ok = measure(row, shown);
     if (ok)
-        dot->state = DOT_MEASURED;
+        row->state = ROW_MEASURED;
     return ok;
 }
 
 int chart_cheapest(const struct chart *chart, double error) {
     int best = -1;
     for (int i = 0; i < chart->count; i++) {
-        const struct chart_dot *dot = &chart->dots[i];
-        if (dot->has_error && dot->error < error && (best < 0 || dot->ms < chart->dots[best].ms))
+        const struct chart_row *row = &chart->rows[i];
+        if (row->has_error && row->error < error && (best < 0 || row->ms < chart->rows[best].ms))
             best = i;
     }
     return best;

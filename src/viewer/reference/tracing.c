@@ -179,11 +179,11 @@ bool viewer_is_charting(const struct viewer *viewer) {
     return chart->next < chart->count;
 }
 
-void viewer_take_dot(struct viewer *viewer, int i) {
-    const struct chart_dot *dot = &viewer->tracing.chart.dots[i];
-    struct settings settings = dot->settings;
+void viewer_take_row(struct viewer *viewer, int i) {
+    const struct chart_row *row = &viewer->tracing.chart.rows[i];
+    struct settings settings = row->settings;
     preset_keep_tone(&settings, &viewer->wish.settings);
-    viewer->wish.technique = dot->technique;
+    viewer->wish.technique = row->technique;
     viewer->wish.settings = settings;
     viewer_touch(viewer);
 }
@@ -196,12 +196,12 @@ static void tell_errors(struct viewer *viewer) {
         return;
     tracing->chart_samples = tracing->samples;
     for (int i = 0; i < chart->count; i++)
-        chart->dots[i].has_error =
-            chart->dots[i].state == DOT_MEASURED &&
-            indirect_error(viewer, &chart->dots[i].indirect, &chart->dots[i].error);
+        chart->rows[i].has_error =
+            chart->rows[i].state == ROW_MEASURED &&
+            indirect_error(viewer, &chart->rows[i].indirect, &chart->rows[i].error);
 }
 
-/* A dot a turn: it takes its time, and the panel says so first. Times are taken while nothing is
+/* A row a turn: it takes its time, and the panel says so first. Times are taken while nothing is
  * traced, once there is a reference at all. */
 static void follow_chart(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;

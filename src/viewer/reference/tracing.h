@@ -20,9 +20,9 @@ bool viewer_compared_error(const struct viewer *viewer, double *error);
 double viewer_reference_noise(const struct viewer *viewer);
 
 /* viewer_chart measures presets and techniques on the view, and traces its reference if there is
- * none. viewer_take_dot applies the settings of dot i to the picture. */
+ * none. viewer_take_row applies the settings of row i to the picture. */
 void viewer_chart(struct viewer *viewer);
 bool viewer_is_charting(const struct viewer *viewer);
-void viewer_take_dot(struct viewer *viewer, int i);
+void viewer_take_row(struct viewer *viewer, int i);
 
 #endif

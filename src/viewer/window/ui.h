@@ -168,8 +168,8 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
 bool ui_explained_segments(const char *id, int *value, const char *const *names,
                            const char *const *helps, int count);
 
-/* Draws a line with a patch of colour, a name, two texts in columns, and a bar behind them for
- * `share` (0 to 1). Returns true if it was clicked. */
+/* Draws a line with a patch of colour (0: none), a name, two texts in columns, and a bar behind
+ * them for `share` (0 to 1). Returns true if it was clicked. */
 bool ui_list_item(uint32_t color, const char *name, const char *middle, const char *right,
                   float share, bool chosen);
 
@@ -190,10 +190,9 @@ void ui_graph_column(const struct ui_graph *graph, int n, int count, float from,
 
 /* --- drawing on the picture, below all areas; or on a canvas, between its begin and end --- */
 
-/* An area to draw on, as wide as its parent, and the state of the mouse on it. */
+/* An area to draw on, as wide as its parent. */
 struct ui_canvas {
-    float x, y, width, height, mouse_x, mouse_y;
-    bool hovered, clicked;
+    float x, y, width, height;
 };
 
 void ui_canvas_begin(const char *name, float height, struct ui_canvas *canvas);
@@ -211,9 +210,6 @@ void ui_draw_rectangle(float x, float y, float width, float height, uint32_t col
 
 /* Draws a text; `align` as in ui_draw_label. */
 void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *text);
-
-/* Draws a text beside the mouse in this frame. */
-void ui_tooltip(const char *text);
 
 /* Draws a text on a dark background. align 0: x is its left edge, 1: its right edge.
  * ui_label_width returns its width, pixels. */

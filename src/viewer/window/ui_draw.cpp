@@ -6,11 +6,10 @@ static ImDrawList *canvas() {
 }
 
 void ui_canvas_begin(const char *name, float height, struct ui_canvas *where) {
-    ImVec2 at = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+    ImVec2 at = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x;
-    *where = {at.x, at.y, width, height, mouse.x, mouse.y, false, false};
-    where->clicked = ImGui::InvisibleButton(name, ImVec2(width, height));
-    where->hovered = ImGui::IsItemHovered();
+    *where = {at.x, at.y, width, height};
+    ImGui::Dummy(ImVec2(width, height));
     look_mark(name);
     look.on_canvas = true;
 }
@@ -58,8 +57,4 @@ void ui_draw_label(float x, float y, float align, const char *text) {
 
 void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *text) {
     canvas()->AddText(ImVec2(x - align * ImGui::CalcTextSize(text).x, y), look_color(tone), text);
-}
-
-void ui_tooltip(const char *text) {
-    ImGui::SetTooltip("%s", look_read(text));
 }
