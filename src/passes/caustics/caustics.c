@@ -22,10 +22,10 @@ static bool init_line_programs(struct caustics_pass *pass) {
     struct program_desc desc = {.vertex = "passes/caustics/light_lines.vert",
                                 .fragment = "passes/caustics/light_lines.frag"};
     bool published = pass->desc.published;
-    desc.defines = published ? "HAS_MEDIUM;PUBLISHED" : "HAS_MEDIUM";
+    desc.defines = published ? "HAS_MEDIUM;PUBLISHED 1" : "HAS_MEDIUM;PUBLISHED 0";
     if (!program_init(&pass->line_program, &desc))
         return false;
-    desc.defines = published ? "HAS_MEDIUM;PUBLISHED;BETWEEN" : "HAS_MEDIUM;BETWEEN";
+    desc.defines = published ? "HAS_MEDIUM;PUBLISHED 1;BETWEEN" : "HAS_MEDIUM;PUBLISHED 0;BETWEEN";
     return program_init(&pass->between_program, &desc);
 }
 

@@ -14,7 +14,7 @@ vec3 passes_from(float before_eye, float beyond) {
     return medium_passes(line_way + max(before_eye + beyond, 0.0));
 }
 
-#ifdef PUBLISHED
+#if PUBLISHED
 // The line's light goes to the steps of the pixel's ray that a normalised Gaussian reaches [Dong 2011, fig. 8.4]. Its
 // deviation is half its reach; ERF_2 is the share within it. All steps together take the line's light on average.
 vec3 line_passes(float from_eye, float before_eye) {

@@ -79,7 +79,7 @@ void main() {
     vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
     vec3 axis = view_axis(camera);
     float depths = camera.orthographic ? 1.0 : a.w * b.w / dot(axis, axis);
-#ifdef PUBLISHED
+#if PUBLISHED
     line_flux = s.flux * params.line_weight / chance;
 #else
     line_flux = s.flux * metres / (chance * depths * pixels * pixel.x * pixel.y);
