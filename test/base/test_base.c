@@ -102,25 +102,6 @@ TEST(added_channels) {
     assert_memory_equal(image_at(&image, 1, 1), last, sizeof last);
 }
 
-TEST(exr_round_trip) {
-    OWNED(image) written, read;
-    image_init(&written, 3, 2, "R G B Z val.id");
-    for (int i = 0; i < 3 * 2 * 5; i++)
-        written.pixels[i] = (float)i / 4;
-    const char *path = scratch("round-trip.exr");
-    check_ok("write", image_write(&written, path));
-    check_ok("read", image_read(&read, path));
-    assert_int_equal(read.channel_count, 5);
-    for (int y = 0; y < 2; y++)
-        for (int x = 0; x < 3; x++)
-            for (int c = 0; c < 5; c++) {
-                int there = image_find_channel(&read, written.names[c]);
-                assert_true(there >= 0);
-                check_near(written.names[c], image_at(&read, x, y)[there],
-                           image_at(&written, x, y)[c], 0);
-            }
-}
-
 /* Names of other programs: each channel keeps its own name, whole, and its own values. */
 TEST(foreign_names) {
 #define LONG "a.name.of.more.than.thirty.one.bytes."
@@ -163,24 +144,6 @@ TEST(long_layers) {
     assert_int_equal(channels[0], 3);
     check_refused(image_find_layer(&image, LONG "3", channels),
                   LONG "3' (there is: " LONG "1, " LONG "2)");
-}
-
-TEST(png_round_trip) {
-    unsigned char pixels[] = {0, 1, 2, 255, 128, 254, 255, 255};
-    struct bitmap written = {.width = 2, .height = 1, .rgba = pixels}, read;
-    const char *path = scratch("round-trip.png");
-    check_ok("write", bitmap_write(&written, path));
-    static unsigned char file[65536];
-    FILE *f = fopen(path, "rb");
-    assert_non_null(f);
-    size_t size = fread(file, 1, sizeof file, f);
-    fclose(f);
-    check_ok("decode", bitmap_decode(&read, file, size));
-    assert_memory_equal(read.rgba, pixels, sizeof pixels);
-    bitmap_free(&read);
-    assert_false(bitmap_decode(&read, file, size / 2) && read.rgba[4] == 128);
-    bitmap_free(&read);
-    assert_false(bitmap_decode(&read, "nonsense", 8));
 }
 
 TEST(file_refusals) {
