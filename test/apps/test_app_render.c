@@ -24,9 +24,7 @@ static void expect_box(int status, const char *format, ...) {
 /* --- refusals --------------------------------------------------------------------------------- */
 
 TEST(usage_errors) {
-    static const struct {
-        const char *arguments, *message;
-    } cases[] = {
+    static const char *const wrong[][2] = {
         {"", "manylight render: arguments are missing: SCENE"},
         {"a.glb", "no output: -o FILE"},
         {"a.glb b.glb -o c.png", "one argument too many: 'b.glb'"},
@@ -48,11 +46,9 @@ TEST(usage_errors) {
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
         {"a.glb -o b.png --context cuda", "context"},
         {"a.glb -o b.png --aov val", "--aov is for formats that hold all layers"},
+        {NULL},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        expect_command(2, "render", cases[i].arguments);
-        expect_text(cases[i].message);
-    }
+    expect_refusals(2, "render", wrong);
 }
 
 /* Every setting that has a range states it when a value is outside, and takes its ends. */
@@ -115,18 +111,12 @@ TEST(failures) {
 
 /* When the second output cannot be written, nothing half-written lies beside it. */
 TEST(nothing_half_written) {
-    char command[512];
-    const char *folder = scratch("whole");
-    snprintf(command, sizeof command, "rm -rf %s && mkdir -p %s && chmod 555 %s", folder, folder,
-             folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    if (access(folder, W_OK) != 0) /* root writes all the same */
-        expect_box(1, "-o %s/a.exr", folder);
-    snprintf(command, sizeof command, "chmod 755 %s; mkdir %s/b.exr", folder, folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    expect_box(1, "-o %s/b.exr", folder); /* a folder of that name */
-    snprintf(command, sizeof command, "ls %s", folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    expect(0, "rm -rf @/whole && mkdir -p @/whole && chmod 555 @/whole");
+    if (access(scratch("whole"), W_OK) != 0) /* root writes all the same */
+        expect_box(1, "-o @/whole/a.exr");
+    expect(0, "chmod 755 @/whole; mkdir @/whole/b.exr");
+    expect_box(1, "-o @/whole/b.exr"); /* a folder of that name */
+    expect(0, "ls @/whole");
     assert_string_equal(output, "b.exr\n");
 }
 
@@ -290,11 +280,8 @@ TEST(phases) {
 /* On a terminal, which script makes. */
 TEST(passes_progress) {
     need_command("script -qec true /dev/null");
-    const char *command =
-        form("script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 "
-             "-o %s' /dev/null",
-             binary_path(), scratch("passes-#.exr"));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    expect(0, "script -qec '% render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 "
+              "-o @/passes-#.exr' /dev/null");
     expect_text(" left  frame 2, pass ");
     expect_text("of 4\033[K");
     expect_text("2 frames in ");

@@ -215,13 +215,10 @@ TEST(reference) {
 
 TEST(refusals) {
     static const char *const formats[] = {"jpg", "bmp", "ppm", "hdr", "pfm", "gif", "webp"};
-    char arguments[256];
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         if (!knows_format(formats[i]))
             continue;
-        snprintf(arguments, sizeof arguments, "%% render a.glb -o a.png -o b.%s --background none",
-                 formats[i]);
-        expect(2, arguments);
+        expect(2, form("%% render a.glb -o a.png -o b.%s --background none", formats[i]));
         const char *message =
             form("--background none: b.%s: %s is written without alpha", formats[i], formats[i]);
         expect_text(message);
@@ -229,9 +226,7 @@ TEST(refusals) {
     static const char *const wrong[] = {"red", "#12345",  "#1234567", "1,2,3",
                                         "1,0", "0,0,0,0", "nan,0,0",  "\"\""};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        snprintf(arguments, sizeof arguments, "%% render a.glb -o a.png --background '%s'",
-                 wrong[i]);
-        expect(2, arguments);
+        expect(2, form("%% render a.glb -o a.png --background '%s'", wrong[i]));
         expect_text("is neither none, #rrggbb nor r,g,b from 0 to 1");
     }
     expect(2, "% render a.glb -o a.exr --background 1,1,1");

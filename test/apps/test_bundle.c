@@ -68,17 +68,14 @@ TEST(check_options) {
 /* A test that passes, one that fails and one that lacks: each has its row, and the report is
  * packed. */
 TEST(check_report) {
-    char command[1200];
     need_file(BUNDLE);
     const char *folder = form("%s", scratch("report"));
-    snprintf(command, sizeof command,
-             "rm -rf %s && " BUNDLE "/check --minutes 2 --tests test_options,test_nothing -o %s",
-             folder, folder);
-    expect(0, command);
+    expect(0,
+           form("rm -rf %s && " BUNDLE "/check --minutes 2 --tests test_options,test_nothing -o %s",
+                folder, folder));
     expect_text("test_options passed");
     expect_text("test_nothing cannot start");
-    snprintf(command, sizeof command, "cat %s/tests.csv && tar tzf %s.tar.gz", folder, folder);
-    expect(0, command);
+    expect(0, form("cat %s/tests.csv && tar tzf %s.tar.gz", folder, folder));
     expect_text("\ntest_options,passed,");
     expect_text("\ntest_nothing,cannot start,0,0,0,");
     expect_text("report/summary.txt\n");

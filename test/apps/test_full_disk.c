@@ -8,12 +8,8 @@
     "--set shadow-size=128 "
 #define BOX "scenes/cornell-box.glb "
 
-static const char *folder;
-
 static void make_folder(void) {
-    folder = scratch("full-disk");
-    const char *command = form("rm -rf '%s' && mkdir '%s'", folder, folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    expect(0, "rm -rf @/full-disk && mkdir @/full-disk");
 }
 
 /* Two pictures to compare. */
@@ -27,14 +23,9 @@ static void write_pictures(void) {
     }
 }
 
-/* Runs `BINARY ARGUMENTS` behind a shell's preamble; @ is the scratch folder. */
+/* Runs `BINARY ARGUMENTS` behind a shell's preamble. */
 static int run(const char *before, const char *arguments, const char *after) {
-    char filled[1024];
-    in_scratch(filled, sizeof filled, arguments);
-    const char *command = form("(%s %s %s %s)", before, binary_path(), filled, after);
-    int status = run_command(command, output, sizeof output);
-    printf("    %s %s -> %d %.300s\n", filled, after, status, output);
-    return status;
+    return run_line(form("%s %% %s %s", before, arguments, after));
 }
 
 /* One line says so, beside notes and warnings. */
@@ -83,8 +74,7 @@ TEST(closed_streams) {
     if (run("", arguments, ">/dev/null") != 0)
         skip();
     assert_int_equal(run("", arguments, "<&- >&- 2>&-"), 0);
-    const char *path = form("%s/closed.exr", folder);
-    check_ok("whole", image_is_whole(path));
+    check_ok("whole", image_is_whole(scratch("full-disk/closed.exr")));
 }
 
 /* Programs that write files. */
@@ -119,11 +109,11 @@ TEST(writers) {
         if (strstr(output, "no context"))
             continue;
         assert_true(status == 0 || strstr(output, "not what is promised"));
-        assert_true(count_files(folder) > 0);
+        assert_true(count_files(scratch("full-disk")) > 0);
         make_folder();
         assert_int_equal(run("ulimit -f 0;", writers[i], ">/dev/null"), 1);
         expect_message("cannot write ", ": File too large");
-        assert_int_equal(count_files(folder), 0);
+        assert_int_equal(count_files(scratch("full-disk")), 0);
     }
 }
 
@@ -131,27 +121,19 @@ TEST(writers) {
 static void check_real_disk(const char *before) {
     static const char *const formats[] = {"exr", "tif", "pfm", "hdr", "png", "jpg", "webp",
                                           "bmp", "tga", "gif", "jp2", "ppm", "dpx"};
-    char command[2048], known[128] = "";
+    char known[128] = "";
     int count = 0;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (knows_format(formats[i])) {
             strcat(strcat(known, " "), formats[i]);
             count++;
         }
-    snprintf(command, sizeof command,
-             "unshare -rm sh -c 'mount -t tmpfs -o size=16k none %s || "
-             "exit 1; "
-             "head -c 1M /dev/zero >%s/other; %s "
-             "for e in %s; do "
-             "%s compare %s %s -o %s/heat.$e >/dev/null; echo $?; done; ls -A %s'",
-             folder, folder, before, known, binary_path(), scratch("a.exr"), scratch("b.exr"),
-             folder, folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    printf("%s", output);
-    int refused = 0;
-    for (const char *at = output; (at = strstr(at, ": No space left on device\n1\n")); at++)
-        refused++;
-    assert_int_equal(refused, count);
+    expect(0, form("unshare -rm sh -c 'mount -t tmpfs -o size=16k none @/full-disk || exit 1; "
+                   "head -c 1M /dev/zero >@/full-disk/other; %s for e in %s; do "
+                   "%% compare @/a.exr @/b.exr -o @/full-disk/heat.$e >/dev/null; echo $?; done; "
+                   "ls -A @/full-disk'",
+                   before, known));
+    assert_int_equal(count_text(output, ": No space left on device\n1\n"), count);
     assert_null(strstr(output, "\n0\n"));
     expect_text("\n1\nother\n");
 }
@@ -160,8 +142,7 @@ static void check_real_disk(const char *before) {
 TEST(real_disk) {
     make_folder();
     write_pictures();
-    const char *command = form("unshare -rm mount -t tmpfs none %s", folder);
-    if (run_command(command, output, sizeof output) != 0) {
+    if (run_line("unshare -rm mount -t tmpfs none @/full-disk") != 0) {
         printf("    skipped: no disk can be mounted here: %s", output);
         skip();
     }
@@ -173,15 +154,10 @@ TEST(real_disk) {
 
 /* The tool that makes our scenes. */
 TEST(scenes) {
-    char command[1024];
-    const char *build = getenv("MANYLIGHT_BUILD");
     make_folder();
-    snprintf(command, sizeof command, "ulimit -f 0; trap '' XFSZ; exec %s/scenes/make_scenes %s",
-             build ? build : "build", folder);
-    assert_int_not_equal(run_command(command, output, sizeof output), 0);
-    printf("    %s", output);
-    snprintf(command, sizeof command, "find %s -type f", folder);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_not_equal(
+        run_line("ulimit -f 0; trap '' XFSZ; exec " BUILD "/scenes/make_scenes @/full-disk"), 0);
+    expect(0, "find @/full-disk -type f");
     assert_string_equal(output, "");
 }
 

@@ -5,12 +5,8 @@
 #define EYE(more)                                                                                  \
     "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1" more "}}"
 
-static int info(const char *arguments) {
-    return run_program("info %s", arguments);
-}
-
 TEST(gl) {
-    if (info("") != 0) {
+    if (run_line("% info") != 0) {
         printf("    skipped: %s\n", output);
         skip();
     }
@@ -20,7 +16,7 @@ TEST(gl) {
 }
 
 TEST(scene) {
-    assert_int_equal(info("scenes/cornell-box.glb"), 0);
+    expect_command(0, "info", "scenes/cornell-box.glb");
     expect_text("72 vertices, 36 triangles (36 without alpha mask)");
     expect_text("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
     expect_text(
@@ -34,10 +30,10 @@ TEST(scene) {
 
 /* Glass, the medium and the slide of a spot. */
 TEST(glass_and_slide) {
-    assert_int_equal(info("scenes/window.glb"), 0);
+    expect_command(0, "info", "scenes/window.glb");
     expect_text("roughness 0, transmission 1, index of refraction 1.5, thin\n");
     expect_text("medium     scatters (0.05, 0.05, 0.05), absorbs (0.002, 0.002, 0.002) 1/m, g 0.4");
-    assert_int_equal(info("scenes/gem.glb"), 0);
+    expect_command(0, "info", "scenes/gem.glb");
     expect_text("transmission 1, index of refraction ");
     need_command("python3 -c 1");
     expect(
@@ -47,7 +43,7 @@ TEST(glass_and_slide) {
 }
 
 TEST(point_light) {
-    assert_int_equal(info("scenes/sphere.glb"), 0);
+    expect_command(0, "info", "scenes/sphere.glb");
     expect_text("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
 }
 
@@ -61,14 +57,14 @@ TEST(names) {
                            .more = "cameras: [{name: 'Eye data', type: perspective, perspective: "
                                    "{yfov: 1, znear: 1}}], extensions: {KHR_lights_punctual: "
                                    "{lights: [{name: 'Lamp data', type: point}]}},"));
-    assert_int_equal(info(path), 0);
+    expect_command(0, "info", path);
     expect_text("  0  Eye node             perspective");
     expect_text("  1  Eye data             perspective");
     expect_text("  0  Lamp node            point");
     expect_text("  1  Lamp data            point");
-    assert_int_equal(run_program("reference %s -o %s --camera none", path, scratch("none.exr")), 1);
+    expect_command(1, "reference -o @/none.exr --camera none", path);
     expect_text("(there is: 0=Eye node 1=Eye data)");
-    assert_int_equal(run_program("reference %s -o %s --light none", path, scratch("none.exr")), 1);
+    expect_command(1, "reference -o @/none.exr --light none", path);
     expect_text("(there is: 0=Lamp node 1=Lamp data)");
 }
 
@@ -99,18 +95,15 @@ TEST(aspect) {
                                                                                  "ctRati"
                                                                                  "o\": "
                                                                                  "1e9") "],")));
-    assert_int_equal(info(path), 0);
+    expect_command(0, "info", path);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         expect_text(rows[i].says);
     expect_text("  4                       perspective, 57.3 degrees high, at");
     expect_text("  5                       perspective, 57.3 degrees high, at");
     for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
-        char command[1024];
         int pixels[2];
-        if (run_program("%s %s -q -o %s %s",
-                        i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1",
-                        path, scratch("aspect.exr"), rows[i / 2].camera) != 0)
-            fail_msg("%s: %s", command, output);
+        expect_command(0, i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1",
+                       form("%s -q -o @/aspect.exr %s", path, rows[i / 2].camera));
         check_ok("aspect.exr", image_size(scratch("aspect.exr"), pixels));
         const char *size = form("%dx%d", pixels[0], pixels[1]);
         printf("    %-9s %-24s %s\n", i % 2 ? "reference" : "render", rows[i / 2].camera, size);
@@ -136,18 +129,18 @@ TEST(json) {
     expect(0, SAME("@/hostile.glb"));
     expect(0, "grep -F 'a\\\"}], \\\\' @/json");
     expect(1, "% info --json @/no-such-scene.glb 2>&1 >@/json; r=$?; test ! -s @/json && exit $r");
-    if (info("") == 0)
+    if (run_line("% info") == 0)
         expect(0, SAME("scenes/ring.glb --gl"));
 }
 
 TEST(refusals) {
-    assert_int_equal(info("no-such-scene.glb"), 1);
+    expect_command(1, "info", "no-such-scene.glb");
     assert_string_equal(
         output, "manylight info: cannot open no-such-scene.glb: No such file or directory\n");
-    assert_int_equal(info("one.glb two.glb"), 2);
-    assert_int_equal(info("--context glx"), 2);
+    expect_command(2, "info", "one.glb two.glb");
+    expect_command(2, "info", "--context glx");
     expect_text("one of auto, egl, osmesa");
-    assert_int_equal(info("--context osmesa --device 0"), 1);
+    expect_command(1, "info", "--context osmesa --device 0");
     expect_text("no EGL device 0 (there are 0, counted from 0)");
 }
 

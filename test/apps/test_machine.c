@@ -18,14 +18,8 @@
 
 /* Renders behind a shell's preamble, in which @ is the scratch folder; the picture is the file. */
 static int render(const char *before, const char *options, const char *picture) {
-    char filled[1024];
-    in_scratch(filled, sizeof filled, before);
     remove(scratch(picture));
-    const char *command =
-        form("%s %s " RENDER "%s %s", filled, binary_path(), scratch(picture), options);
-    int status = run_command(command, output, sizeof output);
-    printf("    %-60s %d %s\n", filled, status, output);
-    return status;
+    return run_line(form("%s %% " RENDER "@/%s %s", before, picture, options));
 }
 
 static bool has_opengl(void) {
@@ -74,25 +68,17 @@ static bool make_comma_locale(void) {
     static const char text[] = "comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point \",\"\n"
                                "thousands_sep \".\"\ngrouping 3;3\nEND LC_NUMERIC\n";
     check_ok("locale", output_file_write(scratch("comma"), text, sizeof text - 1));
-    const char *command =
-        form("cd %s && localedef -c -i comma -f ANSI_X3.4-1968 ./xx_XX 2>/dev/null; "
-             "LOCPATH=. LC_ALL=xx_XX env printf %%.1f 1,5",
-             scratch(""));
-    run_command(command, output, sizeof output);
+    run_line("cd @ && localedef -c -i comma -f ANSI_X3.4-1968 ./xx_XX 2>/dev/null; "
+             "LOCPATH=. LC_ALL=xx_XX env printf %.1f 1,5");
     return strcmp(output, "1,5") == 0;
 }
 
 /* What a command prints, with the locale and without. */
 static void check_print(const char *arguments) {
     static char expected[sizeof output];
-    for (int comma = 0; comma < 2; comma++) {
-        char filled[1024];
-        in_scratch(filled, sizeof filled, arguments);
-        const char *command = form("LOCPATH=%s LC_ALL=%s %s %s", scratch(""), comma ? "xx_XX" : "C",
-                                   binary_path(), filled);
-        assert_int_equal(run_command(command, comma ? output : expected, sizeof output), 0);
-    }
-    printf("%.300s\n", output);
+    expect(0, form("LOCPATH=@ LC_ALL=C %% %s", arguments));
+    memcpy(expected, output, sizeof output);
+    expect(0, form("LOCPATH=@ LC_ALL=xx_XX %% %s", arguments));
     assert_string_equal(output, expected);
 }
 
@@ -127,7 +113,7 @@ static void make_bad_libraries(void) {
 }
 
 TEST(opengl) {
-    bool osmesa = run_program("info --gl --context osmesa") == 0; /* gone from Mesa 25.1 on */
+    bool osmesa = run_line("% info --gl --context osmesa") == 0; /* gone from Mesa 25.1 on */
     const struct {
         const char *before, *options, *message; /* NULL: another way is found */
     } cases[] = {
@@ -165,10 +151,7 @@ static void check_viewer_log(const char *message) {
 
 TEST(no_display) {
     /* libwayland has words of its own where that folder is not named. */
-    const char *command =
-        form("XDG_RUNTIME_DIR=/none DISPLAY=:9999 %s view scenes/cornell-box.glb", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 1);
-    printf("    %s", output);
+    expect(1, "XDG_RUNTIME_DIR=/none DISPLAY=:9999 % view scenes/cornell-box.glb");
     expect_text("no window");
     assert_ptr_equal(strchr(output, '\n'), output + strlen(output) - 1);
 }

@@ -61,11 +61,8 @@ static char *function_of(const char *script, const char *command) {
 }
 
 static void check_option(const char *page, const char *in_bash, const char *name) {
-    char words[128];
-    snprintf(words, sizeof words, "fB--%sfR", name);
-    expect_in(page, words);
-    snprintf(words, sizeof words, " --%s", name);
-    expect_in(in_bash, words);
+    expect_in(page, form("fB--%sfR", name));
+    expect_in(in_bash, form(" --%s", name));
 }
 
 /* "  -o, --output FILE" and "  --size WxH": the name behind the dashes, or NULL. */
@@ -84,7 +81,7 @@ static const char *option_of_line(const char *line, char name[64]) {
 static void check_command(const char *command) {
     char name[64];
     int count = 0;
-    assert_int_equal(run_program("%s --help-all", command), 0);
+    expect_command(0, command, "--help-all");
     char *page = read_page(command), *in_bash = function_of(bash, command);
     for (const char *line = output; line; line = strchr(line, '\n')) {
         line += *line == '\n';
@@ -101,7 +98,7 @@ static void check_command(const char *command) {
 /* Rows of two spaces, a name and a help; others, which begin otherwise, are no names. */
 static int names_of_help(const char *command, char names[][32], int most) {
     int count = 0;
-    assert_int_equal(run_program("%s --help", command), 0);
+    expect_command(0, command, "--help");
     for (const char *line = output; line && count < most; line = strchr(line, '\n')) {
         line += *line == '\n';
         if (strncmp(line, "  ", 2) == 0 && islower((unsigned char)line[2]))
@@ -128,15 +125,13 @@ TEST(options) {
 TEST(settings) {
     need_manual();
     struct settings settings;
-    char *page = read_page("render"), name[SETTING_NAME_SIZE], words[2 * SETTING_NAME_SIZE];
+    char *page = read_page("render"), name[SETTING_NAME_SIZE];
     int count = 0;
     renderer_settings_init(&settings);
     for (struct setting s = {0}; settings_next(&settings, &s); count++) {
         setting_name(&s, name);
-        snprintf(words, sizeof words, "fB%sfR\n", name);
-        expect_in(page, words);
-        snprintf(words, sizeof words, " %s= ", name);
-        expect_in(bash, words);
+        expect_in(page, form("fB%sfR\n", name));
+        expect_in(bash, form(" %s= ", name));
     }
     printf("    %d settings\n", count);
     free(page);

@@ -1,8 +1,8 @@
 /* Each technique and direct method has a page, of the same shape, that names its own settings. The
  * page of all settings is the one that the program's help makes. */
 #include "base/file/file.h"
+#include "command_support.h"
 #include "direct/direct.h"
-#include "support.h"
 #include "techniques/technique.h"
 
 static void check_says(const char *path, const char *text, const char *words) {
@@ -57,14 +57,9 @@ TEST(direct_methods) {
 
 /* The page of settings is written by a script from the help of the program. */
 TEST(settings_page) {
-    const char *page = "docs/user/06-settings.md", *made = scratch("settings.md");
-    char command[1024], output[8192];
-    snprintf(command, sizeof command, "docs/settings-page %s >%s", binary_path(), made);
-    check_ok(command, run_command(command, output, sizeof output) == 0 && !*output);
-    snprintf(command, sizeof command, "diff -u %s %s", page, made);
-    if (run_command(command, output, sizeof output) != 0)
-        fail_msg("%s is not what the help says; renew it: docs/settings-page ./manylight > %s\n%s",
-                 page, page, output);
+    expect(0, "docs/settings-page % >@/settings.md");
+    assert_string_equal(output, "");
+    expect(0, "diff -u docs/user/06-settings.md @/settings.md"); /* else renew the page so */
 }
 
 RUN_TESTS(NULL, NULL)

@@ -193,37 +193,35 @@ TEST(refusals) {
         {"0,0,0,0,1,1e999\n", "line 1: column 6: '1e999' is no number"},
         {"0,0,0,0,1,0 lux\n", "line 1: column 6: '0 lux' is no number"},
     };
-    static const struct {
-        const char *arguments, *says;
-        int status;
-    } lines[] = {
-        {"scenes/sphere.glb", "it wants POINTS.csv or --grid", 2},
-        {"scenes/sphere.glb p.csv --grid 0,0,0,1,0,0,0,0,1,2x2", "one of both", 2},
-        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,1", "grid: '' is no NUxNV", 2},
-        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,1,0x2", "'0x2' is no NUxNV", 2},
-        {"scenes/sphere.glb --grid 0,0,0,1,0,0,2,0,0,2x2", "span no area", 2},
-        {"scenes/sphere.glb --grid 0,0,x,1,0,0,2,0,0,2x2", "grid: number 3 of", 2},
-        {"scenes/sphere.glb p.csv --spp 4 --noise 1%", "exclude each other", 2},
-        {"scenes/sphere.glb p.csv --by frame --spp 4", "--spp is for --by reference", 2},
-        {"scenes/sphere.glb p.csv --technique clustered", "--technique is for --by frame", 2},
-        {"scenes/sphere.glb p.csv --unit W/m2 --efficacy 683", "--efficacy is for --unit lux", 2},
-        {"scenes/sphere.glb p.csv --map p.png", "--map is for --grid", 2},
-        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,-1,2x2 --map p.txt", "p.txt", 1},
-        {"scenes/sphere.glb p.csv --by frame --bounces 0", "is for --by reference", 2},
-        {"scenes/sphere.glb no-such.csv", "no-such.csv", 1},
+    static const char *const wrong[][2] = {
+        {"scenes/sphere.glb", "it wants POINTS.csv or --grid"},
+        {"scenes/sphere.glb p.csv --grid 0,0,0,1,0,0,0,0,1,2x2", "one of both"},
+        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,1", "grid: '' is no NUxNV"},
+        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,1,0x2", "'0x2' is no NUxNV"},
+        {"scenes/sphere.glb --grid 0,0,0,1,0,0,2,0,0,2x2", "span no area"},
+        {"scenes/sphere.glb --grid 0,0,x,1,0,0,2,0,0,2x2", "grid: number 3 of"},
+        {"scenes/sphere.glb p.csv --spp 4 --noise 1%", "exclude each other"},
+        {"scenes/sphere.glb p.csv --by frame --spp 4", "--spp is for --by reference"},
+        {"scenes/sphere.glb p.csv --technique clustered", "--technique is for --by frame"},
+        {"scenes/sphere.glb p.csv --unit W/m2 --efficacy 683", "--efficacy is for --unit lux"},
+        {"scenes/sphere.glb p.csv --map p.png", "--map is for --grid"},
+        {"scenes/sphere.glb p.csv --by frame --bounces 0", "is for --by reference"},
+        {NULL},
+    };
+    static const char *const failures[][2] = {
+        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,-1,2x2 --map p.txt", "p.txt"},
+        {"scenes/sphere.glb no-such.csv", "no-such.csv"},
         {"scenes/gem.glb --by frame --set caustics.surface=patches --grid 0,0,0,1,0,0,0,0,1,2x2",
-         "sensors do not measure caustics", 1},
+         "sensors do not measure caustics"},
+        {NULL},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         write_text(scratch("points.csv"), files[i].points);
         expect_command(1, "probe", "scenes/sphere.glb @/points.csv -o @/none.csv");
         expect_text(files[i].says);
     }
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
-        const char *line = form("%s -o @/none.csv", lines[i].arguments);
-        expect_command(lines[i].status, "probe", line);
-        expect_text(lines[i].says);
-    }
+    expect_refusals(2, "probe -o @/none.csv", wrong);
+    expect_refusals(1, "probe -o @/none.csv", failures);
     expect(0, "test ! -e @/none.csv");
     expect_command(1, "probe", "scenes/sphere.glb @/floor.csv -o @/floor.csv --spp 1");
 }

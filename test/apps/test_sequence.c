@@ -77,9 +77,9 @@ TEST(rates) {
 /* --- the program ------------------------------------------------------------------------------ */
 
 static int render(const char *more) {
-    return run_program("render %s --size 24x16 --set vpls=64 --set map-size=32 --set rsm-size=64 "
-                       "--set shadow-size=128 %s",
-                       scene_path, more);
+    return run_line(form("%% render %s --size 24x16 --set vpls=64 --set map-size=32 "
+                         "--set rsm-size=64 --set shadow-size=128 %s",
+                         scene_path, more));
 }
 
 /* The program's pictures of some frames as scratch files PREFIX.N.exr; true where GL is there. */
@@ -158,25 +158,20 @@ TEST(resume) {
 }
 
 TEST(misuse) {
-    static const struct {
-        const char *arguments, *message;
-        int status;
-    } cases[] = {
+    static const char *const wrong[][2] = {
         {"-o 'a.{frame}.png' --frames 4",
-         "a.{frame}.png: its form of a frame's number is not known; #### and %04d are", 2},
+         "a.{frame}.png: its form of a frame's number is not known; #### and %04d are"},
         {"-o 'a.%.4d.png' --frames 4",
-         "a.%.4d.png: its form of a frame's number is not known; #### and %04d are", 2},
-        {"-o a.png --frames 0..4", "a.png: 5 frames need #### or %04d in the file's name", 2},
-        {"-o a.##.png", "'##' stands for the number of a frame, and there is no --frames", 2},
-        {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249, 0..100x5 or 1,5,9", 2},
-        {"-o a.png --fps 0", "fps", 2},
-        {"-o a.png --clip walk", "no clip 'walk' (there is: none)", 1},
+         "a.%.4d.png: its form of a frame's number is not known; #### and %04d are"},
+        {"-o a.png --frames 0..4", "a.png: 5 frames need #### or %04d in the file's name"},
+        {"-o a.##.png", "'##' stands for the number of a frame, and there is no --frames"},
+        {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249, 0..100x5 or 1,5,9"},
+        {"-o a.png --fps 0", "fps"},
+        {NULL},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        assert_int_equal(render(cases[i].arguments), cases[i].status);
-        printf("    %s", output);
-        expect_text(cases[i].message);
-    }
+    expect_refusals(2, "render scenes/metaballs.glb", wrong);
+    expect(1, "% render scenes/metaballs.glb -o a.png --clip walk");
+    expect_text("no clip 'walk' (there is: none)");
 }
 
 /* --- the renderer ----------------------------------------------------------------------------- */

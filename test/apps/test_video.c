@@ -21,15 +21,13 @@ static double psnr(const char *a, const char *b) {
 
 /* What half the colours cost alone: the picture as 4:2:0 of 8 bits and back, without an encoder. */
 static void halve_colours(int frame) {
-    char line[512];
-    snprintf(
-        line, sizeof line,
-        "ffmpeg -v error -y -i @/frame.%d.png -vf scale=out_color_matrix=bt709:out_range=limited,"
-        "format=yuv420p -f rawvideo @/raw && ffmpeg -v error -y -f rawvideo -pix_fmt yuv420p -s "
-        "99x75 -i @/raw -vf scale=in_color_matrix=bt709:in_range=limited,format=rgb24 "
-        "@/halved.%d.png",
-        frame, frame);
-    expect(0, line);
+    expect(0, form("ffmpeg -v error -y -i @/frame.%d.png -vf "
+                   "scale=out_color_matrix=bt709:out_range=limited,"
+                   "format=yuv420p -f rawvideo @/raw && ffmpeg -v error -y -f rawvideo -pix_fmt "
+                   "yuv420p -s "
+                   "99x75 -i @/raw -vf scale=in_color_matrix=bt709:in_range=limited,format=rgb24 "
+                   "@/halved.%d.png",
+                   frame, frame));
 }
 
 static void check_picture(int frame, int other) {
@@ -67,17 +65,12 @@ TEST(full_disk) {
     static const char *const names[] = {"full.mp4", "full.mkv", "full.webm", "full.mov"};
     need_command("command -v ffmpeg");
     for (size_t i = 0; i < 4; i++) {
-        char line[256];
         if (!is_tried_here(i, 4))
             continue;
-        snprintf(line, sizeof line, "rm -f @/full.* && echo old >@/%s", names[i]);
-        expect(0, line);
-        snprintf(line, sizeof line, "(ulimit -f 1; %s--size 64x64 --frames 0..2 -o @/%s)", CLIP,
-                 names[i]);
-        expect(1, line);
+        expect(0, form("rm -f @/full.* && echo old >@/%s", names[i]));
+        expect(1, form("(ulimit -f 1; %s--size 64x64 --frames 0..2 -o @/%s)", CLIP, names[i]));
         expect_text("ffmpeg failed with exit status 1");
-        snprintf(line, sizeof line, "cat @/%s", names[i]);
-        expect(0, line);
+        expect(0, form("cat @/%s", names[i]));
         assert_string_equal(output, "old\n");
     }
 }

@@ -7,13 +7,8 @@
 
 #include <unistd.h>
 
-static int bench(const char *arguments) {
-    return run_program("bench %s", arguments);
-}
-
 static void check_runs(const char *arguments) {
-    if (bench(arguments) != 0)
-        fail_msg("bench %s: %s", arguments, output);
+    expect_command(0, "bench", arguments);
 }
 
 static char *read_text(const char *path) {
@@ -386,32 +381,29 @@ TEST(help) {
 }
 
 TEST(refusals) {
-    static const struct {
-        const char *arguments, *message;
-        int status;
-    } cases[] = {
-        {"", "MODE is missing", 2},
-        {"woof", "no mode is called 'woof'", 2},
-        {"times --budget", "unknown option '--budget'", 2},
-        {"budget --frames 3", "unknown option '--frames'", 2},
-        {"times --vary M=2", "unknown option '--vary'", 2},
-        {"sweep --vary woof=1", "no setting is called 'woof'", 2},
-        {"times scenes/cornell-box.glb --variant woof", "no variant is called 'woof'", 2},
-        {"times scenes/cornell-box.glb --set vpls=4", "needs at least 64 VPLs", 2},
-        {"failures woof", "no failure is called 'woof' (there are room", 2},
-        {"times no-such-scene.glb", "cannot open no-such-scene.glb", 1},
-        {"times scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
-        {"direct scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
-        {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves", 1},
-        {"sweep scenes/cornell-box.glb --size 8x8 --tracer --reference ao",
-         "--tracer has indirect light alone to compare, not --reference ao", 1},
+    static const char *const wrong[][2] = {
+        {"", "MODE is missing"},
+        {"woof", "no mode is called 'woof'"},
+        {"times --budget", "unknown option '--budget'"},
+        {"budget --frames 3", "unknown option '--frames'"},
+        {"times --vary M=2", "unknown option '--vary'"},
+        {"sweep --vary woof=1", "no setting is called 'woof'"},
+        {"times scenes/cornell-box.glb --variant woof", "no variant is called 'woof'"},
+        {"times scenes/cornell-box.glb --set vpls=4", "needs at least 64 VPLs"},
+        {"failures woof", "no failure is called 'woof' (there are room"},
+        {NULL},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        int status = bench(cases[i].arguments);
-        printf("    %d %s", status, output);
-        assert_int_equal(status, cases[i].status);
-        expect_text(cases[i].message);
-    }
+    static const char *const failures[][2] = {
+        {"times no-such-scene.glb", "cannot open no-such-scene.glb"},
+        {"times scenes/cornell-box.glb --light woof", "no light 'woof'"},
+        {"direct scenes/cornell-box.glb --light woof", "no light 'woof'"},
+        {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves"},
+        {"sweep scenes/cornell-box.glb --size 8x8 --tracer --reference ao",
+         "--tracer has indirect light alone to compare, not --reference ao"},
+        {NULL},
+    };
+    expect_refusals(2, "bench", wrong);
+    expect_refusals(1, "bench", failures);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -295,10 +295,8 @@ TEST(words) {
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        int status = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s",
-                                 scratch("q.png"), cases[i].arguments);
-        printf("    %s\n    -> %d %s", cases[i].arguments, status, output);
-        assert_int_equal(status, cases[i].status);
+        expect_command(cases[i].status, "render scenes/cornell-box.glb -o @/q.png --size 40x40",
+                       cases[i].arguments);
         expect_text(cases[i].says);
     }
 }
@@ -307,14 +305,10 @@ TEST(words) {
 TEST(traced_background) {
     if (!gl.software)
         skip();
-    const char *png = form("%s", scratch("seen.png"));
     OWNED(image) seen;
-    assert_int_equal(run_program("render scenes/cornell-box.glb -o %s --size 24x24 -q --budget "
-                                 "600000ms --layer indirect --camera '0 fov=2.2' --background "
-                                 "'#ff0000'",
-                                 png),
-                     0);
-    check_ok("picture", image_read(&seen, png));
+    expect(0, "% render scenes/cornell-box.glb -o @/seen.png --size 24x24 -q --budget 600000ms "
+              "--layer indirect --camera '0 fov=2.2' --background '#ff0000'");
+    check_ok("picture", image_read(&seen, scratch("seen.png")));
     const float *corner = image_at(&seen, 0, 0);
     check_near("red", (double)corner[0], 1, 1e-6);
     check_near("green and blue", (double)(corner[1] + corner[2]), 0, 1e-6);
@@ -322,30 +316,20 @@ TEST(traced_background) {
 
 /* A path-traced picture is `reference`'s, in each format; what speaks of frames keeps them. */
 TEST(traced) {
-    static const char scene[] = "scenes/cornell-box.glb --size 40x40";
+#define SMALL_BOX "scenes/cornell-box.glb --size 40x40 "
     if (!gl.software)
         skip();
-    const char *exr = form("%s", scratch("traced.exr"));
-    const char *png = form("%s", scratch("traced.png"));
-    const char *reference = form("%s", scratch("reference.exr"));
-    assert_int_equal(
-        run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1", scene, exr,
-                    png),
-        0);
+    expect(0, "% render " SMALL_BOX "-o @/traced.exr -o @/traced.png --budget 600000ms --stats "
+              "--set seed=5");
     expect_text("chosen by --budget 600000ms: 256 path-traced samples, denoised");
-    assert_int_equal(run_program("reference %s -o %s --spp 256 --denoise --seed %d", scene,
-                                 reference, (1 << 30) + 5),
-                     0);
-    for (const char *const *layer = (const char *const[]){"beauty", "indirect", NULL}; *layer;
-         layer++)
-        assert_int_equal(
-            run_program("compare %s %s -l %s -m mae --max mae=0", exr, reference, *layer), 0);
-    assert_int_equal(run_program("compare %s %s -m ldr-flip --max ldr-flip=.008", png, exr), 0);
+    expect(0, "% reference " SMALL_BOX "-o @/reference.exr --spp 256 --denoise --seed 1073741829");
+    expect(0, "% compare @/traced.exr @/reference.exr -l beauty -m mae --max mae=0");
+    expect(0, "% compare @/traced.exr @/reference.exr -l indirect -m mae --max mae=0");
+    expect(0, "% compare @/traced.png @/traced.exr -m ldr-flip --max ldr-flip=.008");
     for (const char *const *kept =
              (const char *const[]){"--frames 0", "--set vals=8", "--technique clustered", NULL};
          *kept; kept++) {
-        assert_int_equal(
-            run_program("render %s -o %s --budget 600000ms --stats %s 2>&1", scene, png, *kept), 0);
+        expect_command(0, "render " SMALL_BOX "-o @/traced.png --budget 600000ms --stats", *kept);
         expect_text("chosen by --budget 600000ms: level ");
     }
 }

@@ -159,10 +159,8 @@ TEST(levels) {
 }
 
 static void run_box(int status, const char *arguments, const char *says) {
-    int got = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s 2>&1",
-                          scratch("budget-##.png"), arguments);
-    printf("    %s\n    -> %d %s", arguments, got, output);
-    assert_int_equal(got, status);
+    expect_command(status, "render scenes/cornell-box.glb -o @/budget-##.png --size 40x40",
+                   arguments);
     expect_text(says);
 }
 

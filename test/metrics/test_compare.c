@@ -14,32 +14,20 @@ static double value_of(const char *name) {
     return strtod(at + strspn(at, "\": "), NULL);
 }
 
-static const char *test_exr, *reference_exr;
+#define PAIR "@/compare-test.exr @/compare-reference.exr "
 
 /* A grey reference and a test that is brighter by 1/8, with a layer that is brighter by 1/4. */
 static int make_pictures(void **state) {
     (void)state;
-    static char paths[2][512];
-    struct image image;
+    OWNED(image) image;
     image_init(&image, 16, 8, "R G B indirect.R indirect.G indirect.B");
     for (int brighter = 0; brighter < 2; brighter++) {
         for (int i = 0; i < 16 * 8 * 6; i++)
             image.pixels[i] = .5f + (i % 6 < 3 ? .125f : .25f) * (float)brighter;
-        snprintf(paths[brighter], sizeof paths[0], "%s",
-                 scratch(brighter ? "compare-test.exr" : "compare-reference.exr"));
-        if (!image_write(&image, paths[brighter]))
+        if (!image_write(&image, scratch(brighter ? "compare-test.exr" : "compare-reference.exr")))
             return -1;
     }
-    image_free(&image);
-    reference_exr = paths[0];
-    test_exr = paths[1];
     return 0;
-}
-
-static const char *with_pictures(const char *more) {
-    static char arguments[2048];
-    snprintf(arguments, sizeof arguments, "%s %s %s", test_exr, reference_exr, more);
-    return arguments;
 }
 
 TEST(help) {
@@ -51,9 +39,7 @@ TEST(help) {
 }
 
 TEST(usage_errors) {
-    static const struct {
-        const char *arguments, *message;
-    } cases[] = {
+    static const char *const wrong[][2] = {
         {"", "manylight compare: arguments are missing: TEST REFERENCE"},
         {"a.exr b.exr c.exr", "one argument too many: 'c.exr'"},
         {"a.exr b.exr --metric ssim", "metric: no metric is called 'ssim' (there is: rmse"},
@@ -64,15 +50,13 @@ TEST(usage_errors) {
         {"a.exr b.exr --max psnr=30", "psnr has no upper bound"},
         {"a.exr b.exr -o heat", "heat: no extension"},
         {"a.exr b.exr -m psnr -o heat.png", "psnr has no picture"},
+        {NULL},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        expect_command(2, "compare", cases[i].arguments);
-        expect_text(cases[i].message);
-    }
+    expect_refusals(2, "compare", wrong);
 }
 
 TEST(table) {
-    expect_command(0, "compare", with_pictures(""));
+    expect(0, "% compare " PAIR);
     check_near("rmse", value_of("rmse"), .125, 1e-6);
     check_near("relative-bias", value_of("relative-bias"), .25, 1e-6);
     check_near("gradient", value_of("gradient"), 0, 1e-6);
@@ -83,65 +67,61 @@ TEST(table) {
     check_near("worst-share", value_of("worst-share"), 2. / 128, 1e-6);
     check_at_most("some psnr", value_of("psnr"), 30);
     assert_null(strstr(output, "ldr-flip"));
-    expect_command(0, "compare", with_pictures("--layer indirect --metric bias"));
+    expect(0, "% compare " PAIR "--layer indirect --metric bias");
     check_near("bias of a layer", value_of("bias"), .25, 1e-6);
     assert_null(strstr(output, "rmse"));
-    expect_command(0, "compare", with_pictures("--metric all"));
+    expect(0, "% compare " PAIR "--metric all");
     expect_text("ldr-flip");
 }
 
 TEST(json) {
-    expect_command(0, "compare", with_pictures("--json -m mae -m rmse"));
+    expect(0, "% compare " PAIR "--json -m mae -m rmse");
     assert_int_equal(output[0], '{');
     expect_text("\"layer\": \"beauty\", \"width\": 16, \"height\": 8");
     check_near("mae", value_of("mae"), .125, 1e-6);
-    expect_command(0, "compare", form("%s %s --json -m psnr", test_exr, test_exr));
+    expect(0, "% compare @/compare-test.exr @/compare-test.exr --json -m psnr");
     expect_text("\"psnr\": null}}\n");
 }
 
 /* The range that is found, given again, is the same; another one is not. */
 TEST(exposures) {
-    char found[sizeof output], more[1200];
+    char found[sizeof output];
     double range[3];
-    expect_command(0, "compare", with_pictures("--json -m hdr-flip"));
+    expect(0, "% compare " PAIR "--json -m hdr-flip");
     memcpy(found, output, sizeof found);
     const char *at = strstr(found, "\"exposures\": [");
     assert_true(at &&
                 sscanf(at, "\"exposures\": [%lf, %lf, %lf]", &range[0], &range[1], &range[2]) == 3);
-    snprintf(more, sizeof more, "--json -m hdr-flip --exposures %.9g,%.9g,%g", range[0], range[1],
-             range[2]);
-    expect_command(0, "compare", with_pictures(more));
+    expect(0, form("%% compare " PAIR "--json -m hdr-flip --exposures %.9g,%.9g,%g", range[0],
+                   range[1], range[2]));
     assert_string_equal(output, found);
     double flip = value_of("hdr-flip");
-    expect_command(0, "compare", with_pictures("--exposures -9,-8,2"));
+    expect(0, "% compare " PAIR "--exposures -9,-8,2");
     check_at_most("darker", value_of("hdr-flip"), .5 * flip);
-    expect_command(2, "compare", with_pictures("--exposures 0,1,2 -m rmse"));
+    expect(2, "% compare " PAIR "--exposures 0,1,2 -m rmse");
     expect_text("--exposures is for hdr-flip");
     static const char *const wrong[] = {"1,0,2",   "0,1",     "0,1,0", "0,1,2x",
                                         "nan,1,2", "0,121,2", "a"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        snprintf(more, sizeof more, "--exposures %s", wrong[i]);
-        expect_command(2, "compare", with_pictures(more));
+        expect_command(2, "compare " PAIR "--exposures", wrong[i]);
         expect_text("is not START,STOP,N");
     }
-    snprintf(more, sizeof more, "%s %s -m rmse -o %s", test_exr, reference_exr, scratch("a.png"));
-    expect_command(0, "compare", more);
-    snprintf(more, sizeof more, "%s %s --exposures 0,1,2", scratch("a.png"), scratch("a.png"));
-    expect_command(1, "compare", more);
+    expect(0, "% compare " PAIR "-m rmse -o @/a.png");
+    expect(1, "% compare @/a.png @/a.png --exposures 0,1,2");
     expect_text("--exposures needs hdr-flip");
 }
 
 TEST(bounds) {
-    expect_command(0, "compare", with_pictures("-m rmse --max rmse=0.13"));
-    expect_command(1, "compare", with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
+    expect(0, "% compare " PAIR "-m rmse --max rmse=0.13");
+    expect(1, "% compare " PAIR "-m rmse --max rmse=0.12 --max mae=1");
     expect_text("manylight compare: rmse is 0.125, above 0.12");
     assert_null(strstr(output, "mae is"));
-    expect_command(0, "compare", with_pictures("--max rmse=13%"));
+    expect(0, "% compare " PAIR "--max rmse=13%");
     expect_text("(at most 0.13)");
-    expect_command(1, "compare", with_pictures("--max relative-rmse=24%")); /* it is a quarter */
-    expect_command(0, "compare", with_pictures("--max relative-rmse=25.1%"));
+    expect(1, "% compare " PAIR "--max relative-rmse=24%"); /* it is a quarter */
+    expect(0, "% compare " PAIR "--max relative-rmse=25.1%");
     /* The bound of a signed metric holds on both sides. */
-    expect_command(1, "compare", form("%s %s -m bias --max bias=0.1", reference_exr, test_exr));
+    expect(1, "% compare @/compare-reference.exr @/compare-test.exr -m bias --max bias=0.1");
     expect_text("bias is -0.125, above 0.1");
 }
 
@@ -154,47 +134,37 @@ TEST(foreign_channels) {
         image.pixels[i] = i % 6 < 3 ? .5f : (float)i;
     check_ok("write", image_write(&image, scratch("compare-masked.exr")));
     image_free(&image);
-    expect_command(
-        0, "compare",
-        form("%s %s -m mae --max mae=0 -m rmse", scratch("compare-masked.exr"), reference_exr));
+    expect(0, "% compare @/compare-masked.exr @/compare-reference.exr -m mae --max mae=0 -m rmse");
     check_near("mae", value_of("mae"), 0, 0);
     check_near("rmse", value_of("rmse"), 0, 0);
 }
 
 TEST(pictures_of_the_error) {
-    char more[600];
-    const char *path = scratch("heat.png");
-    snprintf(more, sizeof more, "-m rmse -o %s", path);
-    expect_command(0, "compare", with_pictures(more));
     struct image heat;
-    check_ok("read", image_read(&heat, path));
+    expect(0, "% compare " PAIR "-m rmse -o @/heat.png");
+    check_ok("read", image_read(&heat, scratch("heat.png")));
     assert_int_equal(heat.width, 256);
     image_free(&heat);
-    path = scratch("heat.exr");
-    snprintf(more, sizeof more, "-m bias -o %s", path);
-    expect_command(0, "compare", with_pictures(more));
-    check_ok("read", image_read(&heat, path));
+    expect(0, "% compare " PAIR "-m bias -o @/heat.exr");
+    check_ok("read", image_read(&heat, scratch("heat.exr")));
     assert_int_equal(heat.width, 16);
     check_near("a bare value", (double)heat.pixels[0], .125, 1e-6);
     image_free(&heat);
-    snprintf(more, sizeof more, "-m rmse -o %s", reference_exr);
-    expect_command(1, "compare", with_pictures(more));
+    expect(1, "% compare " PAIR "-m rmse -o @/compare-reference.exr");
     expect_text("it is the input");
-    expect_command(0, "compare", with_pictures("-m rmse"));
-    expect_command(1, "compare", with_pictures("-m rmse -o no/such/folder/heat.png"));
+    expect(0, "% compare " PAIR "-m rmse");
+    expect(1, "% compare " PAIR "-m rmse -o no/such/folder/heat.png");
     expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
 }
 
 TEST(encoded_files) {
     unsigned char pixels[2][16] = {{188, 188, 188, 255, 188, 188, 188, 255},
                                    {255, 255, 255, 255, 255, 255, 255, 255}};
-    char paths[2][512];
     for (int i = 0; i < 2; i++) {
         struct bitmap bitmap = {.width = 2, .height = 1, .rgba = pixels[i]};
-        snprintf(paths[i], sizeof paths[0], "%s", scratch(i ? "white.png" : "grey.png"));
-        check_ok("write", bitmap_write(&bitmap, paths[i]));
+        check_ok("write", bitmap_write(&bitmap, scratch(i ? "white.png" : "grey.png")));
     }
-    expect_command(0, "compare", form("%s %s", paths[0], paths[1]));
+    expect(0, "% compare @/grey.png @/white.png");
     check_near("rmse in linear light", value_of("rmse"), 1 - .502886, 1e-5);
     check_near("psnr as encoded", value_of("psnr"), -20 * log10((255 - 188) / 255.), 1e-3);
     expect_text("ldr-flip");
@@ -202,24 +172,20 @@ TEST(encoded_files) {
 }
 
 TEST(files_that_do_not_compare) {
-    expect_command(1, "compare", with_pictures("--layer albedo"));
+    expect(1, "% compare " PAIR "--layer albedo");
     expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
-
-    char arguments[1200];
-    snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
-    expect_command(1, "compare", arguments);
+    expect(1, "% compare @/compare-test.exr no-such-file.exr");
     expect_text("manylight compare: cannot open no-such-file.exr: No such file or directory");
-    snprintf(arguments, sizeof arguments, "%s /dev/zero", test_exr);
-    expect_command(1, "compare", arguments);
+    expect(1, "% compare @/compare-test.exr /dev/zero");
     expect_text("manylight compare: cannot read /dev/zero: not a file"); /* and without an end */
 
+#define ODD "% compare @/compare-odd.exr @/compare-reference.exr"
     OWNED(image) image;
     const char *path = scratch("compare-odd.exr");
-    snprintf(arguments, sizeof arguments, "%s %s", path, reference_exr);
     for (int narrow = 0; narrow < 2; narrow++) {
         image_init(&image, narrow ? 15 : 16, narrow ? 8 : 9, "R G B");
         check_ok("write", image_write(&image, path));
-        expect_command(1, "compare", arguments);
+        expect(1, ODD);
         expect_text(narrow ? "compare-odd.exr is 15x8, but " : "compare-odd.exr is 16x9, but ");
         expect_text("compare-reference.exr is 16x8");
         image_free(&image);
@@ -228,20 +194,17 @@ TEST(files_that_do_not_compare) {
     image_init(&image, 16, 8, "R G B");
     image_at(&image, 5, 3)[2] = NAN;
     check_ok("write", image_write(&image, path));
-    expect_command(1, "compare", arguments);
+    expect(1, ODD);
     expect_text("compare-odd.exr: B is nan at pixel 5,3");
 }
 
 TEST(shared_references) {
     if (!shared_path() || access("../shared/reference/cornell-box.exr", R_OK) != 0)
         skip();
-    const char *box = "../shared/reference/cornell-box.exr";
-    char arguments[1200];
-    snprintf(arguments, sizeof arguments, "%s %s --ppd 10 --max hdr-flip=0 --max mae=0", box, box);
-    expect_command(0, "compare", arguments);
-    snprintf(arguments, sizeof arguments,
-             "../shared/reference/cornell-horse.exr %s -l indirect -m rmse -m bias", box);
-    expect_command(0, "compare", arguments);
+#define GIVEN "../shared/reference/cornell-box.exr "
+    expect(0, "% compare " GIVEN GIVEN "--ppd 10 --max hdr-flip=0 --max mae=0");
+    expect(0,
+           "% compare ../shared/reference/cornell-horse.exr " GIVEN "-l indirect -m rmse -m bias");
     check_at_most("the horse shows", .1, value_of("rmse"));
 }
 

@@ -1,5 +1,5 @@
 /* manylight reference: the command, and its pictures against those of an independent path tracer */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/image.h"
 
@@ -7,66 +7,52 @@
 
 enum { SIZE = 80 };
 
-static int reference(const char *arguments, char *output, size_t output_size) {
-    const char *command = form("%s reference %s", binary_path(), arguments);
-    int status = run_command(command, output, output_size);
-    printf("    %s -> %d: %.160s\n", arguments, status, output);
-    return status;
-}
-
 TEST(usage) {
-    static const struct {
-        const char *arguments, *says;
-        int status;
-    } cases[] = {
-        {"--help", "standard_error", 0},
-        {"", "arguments are missing", 2},
-        {"scenes/sphere.glb", "-o FILE.exr is missing", 2},
-        {"scenes/sphere.glb -o x.png", "x.png: only EXR", 2},
-        {"scenes/sphere.glb -o x.exr --noise -1%", "'-1%' is not a number from 0 to 1", 2},
-        {"scenes/sphere.glb -o x.exr --noise 1% --spp 4", "exclude each other", 2},
-        {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --denoise", "--denoise is for", 2},
-        {"scenes/sphere.glb -o x.exr --ao 0", "ao: '0' is not a number from 1e-06 to", 2},
-        {"scenes/sphere.glb -o x.exr --ao -1m", "ao: '-1m' is not a number", 2},
-        {"scenes/sphere.glb -o x.exr --ao nan", "ao: 'nan' is not a number", 2},
-        {"scenes/sphere.glb -o x.exr --ao near", "ao: 'near' is not a number", 2},
+    static const char *const wrong[][2] = {
+        {"", "arguments are missing"},
+        {"scenes/sphere.glb", "-o FILE.exr is missing"},
+        {"scenes/sphere.glb -o x.png", "x.png: only EXR"},
+        {"scenes/sphere.glb -o x.exr --noise -1%", "'-1%' is not a number from 0 to 1"},
+        {"scenes/sphere.glb -o x.exr --noise 1% --spp 4", "exclude each other"},
+        {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --denoise", "--denoise is for"},
+        {"scenes/sphere.glb -o x.exr --ao 0", "ao: '0' is not a number from 1e-06 to"},
+        {"scenes/sphere.glb -o x.exr --ao -1m", "ao: '-1m' is not a number"},
+        {"scenes/sphere.glb -o x.exr --ao nan", "ao: 'nan' is not a number"},
+        {"scenes/sphere.glb -o x.exr --ao near", "ao: 'near' is not a number"},
         {"scenes/sphere.glb -o x.exr --ao 1 --technique vpl-raytraced",
-         "--ao is for --technique path", 2},
-        {"scenes/sphere.glb -o x.exr --light-paths 0", "'0' is not a whole number from 1 to", 2},
-        {"scenes/sphere.glb -o x.exr --light-paths -5", "'-5' is not a whole number from 1", 2},
+         "--ao is for --technique path"},
+        {"scenes/sphere.glb -o x.exr --light-paths 0", "'0' is not a whole number from 1 to"},
+        {"scenes/sphere.glb -o x.exr --light-paths -5", "'-5' is not a whole number from 1"},
         {"scenes/sphere.glb -o x.exr --light-paths 9 --technique vpl-raytraced",
-         "--light-paths is for --technique path", 2},
+         "--light-paths is for --technique path"},
         {"scenes/sphere.glb -o x.exr --smooth --materials diffuse",
-         "--smooth is for --materials full", 2},
-        {"scenes/sphere.glb -o x.exr --set vpls=64", "--technique vpl-raytraced", 2},
+         "--smooth is for --materials full"},
+        {"scenes/sphere.glb -o x.exr --set vpls=64", "--technique vpl-raytraced"},
         {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --set medium.scatter=1",
-         "sums of VPLs ignore a medium", 2},
-        {"no-such.glb -o x.exr", "no-such.glb", 1},
-        {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},
-        {"scenes/sphere.glb -o no/such/x.exr --size 8x8 --spp 4", "no/such/x.exr", 1},
+         "sums of VPLs ignore a medium"},
+        {NULL},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char output[8192];
-        assert_int_equal(reference(cases[i].arguments, output, sizeof output), cases[i].status);
-        assert_non_null(strstr(output, cases[i].says));
-        assert_int_equal(access("x.exr", F_OK), -1);
-    }
+    static const char *const failures[][2] = {
+        {"no-such.glb -o x.exr", "no-such.glb"},
+        {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'"},
+        {"scenes/sphere.glb -o no/such/x.exr --size 8x8 --spp 4", "no/such/x.exr"},
+        {NULL},
+    };
+    expect_command(0, "reference", "--help");
+    expect_text("standard_error");
+    expect_refusals(2, "reference", wrong);
+    expect_refusals(1, "reference", failures);
+    assert_int_equal(access("x.exr", F_OK), -1);
 }
 
 /* A scene without glass says so; one with glass in a medium has all layers. */
 TEST(light_paths) {
-    char arguments[700], output[4096];
-    const char *path = scratch("light-paths.exr");
-    snprintf(arguments, sizeof arguments,
-             "scenes/sphere.glb -o %s --size 4x4 --spp 1 --light-paths 9", path);
-    assert_int_equal(reference(arguments, output, sizeof output), 0);
-    assert_non_null(strstr(output, "no glass"));
-    snprintf(arguments, sizeof arguments,
-             "scenes/gem.glb -o %s --size 16x12 --spp 4 --light-paths 20000", path);
-    assert_int_equal(reference(arguments, output, sizeof output), 0);
-    assert_non_null(strstr(output, "20000 light paths"));
     OWNED(image) image;
-    check_ok("read", image_read(&image, path));
+    expect(0, "% reference scenes/sphere.glb -o @/paths.exr --size 4x4 --spp 1 --light-paths 9");
+    expect_text("no glass");
+    expect(0, "% reference scenes/gem.glb -o @/paths.exr --size 16x12 --spp 4 --light-paths 20000");
+    expect_text("20000 light paths");
+    check_ok("read", image_read(&image, scratch("paths.exr")));
     static const char *const layers[] = {"caustic", "standard_error.caustic", "volume",
                                          "standard_error.volume", "airlight"};
     for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
@@ -78,13 +64,10 @@ TEST(light_paths) {
 
 /* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
 TEST(sphere_file) {
-    char output[4096];
-    const char *path = scratch("reference-sphere.exr");
-    const char *arguments = form("scenes/sphere.glb -o %s --size 16x12 --noise 1%% -q", path);
-    assert_int_equal(reference(arguments, output, sizeof output), 0);
-    assert_string_equal(output, "");
     OWNED(image) image;
-    check_ok("read", image_read(&image, path));
+    expect(0, "% reference scenes/sphere.glb -o @/sphere.exr --size 16x12 --noise 1% -q");
+    assert_string_equal(output, "");
+    check_ok("read", image_read(&image, scratch("sphere.exr")));
     assert_true(image.width == 16 && image.height == 12);
     static const struct {
         const char *channel;
@@ -110,16 +93,14 @@ TEST(ao_file) {
         const char *distance;
         double open;
     } cases[] = {{"2.1", 0}, {"1m", .75}, {"auto", 1 - .2711864 * .2711864}};
-    const char *path = scratch("reference-ao.exr");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char output[4096];
         OWNED(image) image;
         int channels[3];
-        const char *arguments =
-            form("scenes/sphere.glb -o %s --size 16x12 --spp 64 --bounces 0 -q --ao %s", path,
-                 cases[i].distance);
-        assert_int_equal(reference(arguments, output, sizeof output), 0);
-        check_ok("read", image_read(&image, path) && image_find_layer(&image, "ao", channels));
+        expect_command(
+            0, "reference scenes/sphere.glb -o @/ao.exr --size 16x12 --spp 64 --bounces 0 -q --ao",
+            cases[i].distance);
+        check_ok("read",
+                 image_read(&image, scratch("ao.exr")) && image_find_layer(&image, "ao", channels));
         check_near("open", image_mean(&image, channels), cases[i].open, .003);
         assert_true(image_find_channel(&image, "standard_error.ao.Y") >= 0);
     }
@@ -167,16 +148,13 @@ static struct difference compare_layer(const struct image *test, const struct im
  * pixels: what differs is our noise, which the indirect layer knows, and the sampling of shadow
  * edges. */
 static void compare_with_given(const char *name) {
-    char output[4096];
+    OWNED(image) test, given;
     if (!shared_path())
         skip();
-    const char *path = scratch("reference-given.exr");
-    const char *arguments =
-        form("%s/scenes/%s.glb -o %s --size %dx%d --spp 32", shared_path(), name, path, SIZE, SIZE);
-    assert_int_equal(reference(arguments, output, sizeof output), 0);
+    expect_command(0, "reference -o @/given.exr --spp 32",
+                   form("%s/scenes/%s.glb --size %dx%d", shared_path(), name, SIZE, SIZE));
     const char *given_path = form("%s/reference/%s.exr", shared_path(), name);
-    OWNED(image) test, given;
-    check_ok("read", image_read(&test, path));
+    check_ok("read", image_read(&test, scratch("given.exr")));
     check_ok("read", image_read(&given, given_path));
     static const struct {
         const char *layer;

@@ -1,5 +1,6 @@
 /* Pictures of several passes: what they are made of, that they converge, and that they may be
  * split. */
+#include "command_support.h"
 #include "render_support.h"
 
 #include "gl/pass.h"
@@ -177,15 +178,6 @@ TEST(convergence) {
 
 /* --- split ------------------------------------------------------------------------------------ */
 
-static int manylight(const char *arguments, char *output, size_t output_size) {
-    char placed[1500];
-    in_scratch(placed, sizeof placed, arguments);
-    const char *command = form("%s %s", binary_path(), placed);
-    int status = run_command(command, output, output_size);
-    printf("    %.60s ... -> %d: %.120s\n", arguments, status, output);
-    return status;
-}
-
 static void read_scratch(struct image *image, const char *name) {
     check_ok(name, image_read(image, scratch(name)));
 }
@@ -195,7 +187,6 @@ TEST(split) {
 #define RENDER                                                                                     \
     "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8 "                       \
     "map-size=64 rsm-size=128 shadow-size=256\" "
-    char output[2048];
     static const char *const commands[] = {
         RENDER "--passes 8 -o @/whole.exr",
         RENDER "--passes 4 -o @/a.exr",
@@ -208,7 +199,7 @@ TEST(split) {
         "average @/d.exr @/ca.exr -o @/dca.exr",
     };
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        assert_int_equal(manylight(commands[i], output, sizeof output), 0);
+        expect_command(0, commands[i], "");
     struct image whole, part;
     read_scratch(&whole, "whole.exr");
     assert_string_equal(whole.passes, "0..7");
@@ -262,7 +253,6 @@ TEST(layers_of_average) {
 
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
 TEST(one_pass) {
-    char output[2048];
     OWNED(image) whole, part;
     static const char *const commands[] = {
         RENDER "--passes 1 --first-pass 0 -o @/one.exr",
@@ -270,7 +260,7 @@ TEST(one_pass) {
         "average @/one.exr @/seven.exr -o @/eight.exr",
     };
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        assert_int_equal(manylight(commands[i], output, sizeof output), 0);
+        expect_command(0, commands[i], "");
     read_scratch(&whole, "whole.exr");
     read_scratch(&part, "eight.exr");
     check_alike(&part, &whole, 1e-5);
@@ -299,32 +289,30 @@ TEST(given) {
 
 /* What cannot be averaged, and what cannot be a mean. */
 TEST(refusals) {
-    static const struct {
-        const char *arguments, *says;
-        int status;
-    } rows[] = {
-        {"average --help", "weight", 0},
-        {"average", "arguments are missing", 2},
-        {"average @/a.exr", "no output", 2},
-        {"average @/a.exr -o x.png", "only EXR", 2},
-        {"average @/a.exr @/a.exr -o @/x.exr", "pass 0 is in it and in one before", 1},
-        {"average @/whole.exr @/b.exr -o @/x.exr", "pass 4", 1},
-        {"average @/a.exr @/b.exr -o @/b.exr", "b.exr", 1},
-        {"average @/a.exr @/plain.exr -o @/x.exr", "does not tell its passes", 1},
-        {"average @/a.exr @/small.exr -o @/x.exr", "pixels", 1},
-        {RENDER "--passes 2 --aov val -o @/x.exr", "aov", 2},
-        {RENDER "--passes -1 -o @/x.exr", "passes", 2},
+    static const char *const wrong[][2] = {
+        {"average", "arguments are missing"},
+        {"average @/a.exr", "no output"},
+        {"average @/a.exr -o x.png", "only EXR"},
+        {RENDER "--passes 2 --aov val -o @/x.exr", "aov"},
+        {RENDER "--passes -1 -o @/x.exr", "passes"},
+        {NULL},
     };
-    char output[8192];
-    manylight(RENDER "-o @/plain.exr", output, sizeof output);
-    manylight("render scenes/cornell-box.glb -q --size 8x8 --first-pass 9 -o @/small.exr", output,
-              sizeof output);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        assert_int_equal(manylight(rows[i].arguments, output, sizeof output), rows[i].status);
-        assert_non_null(strstr(output, rows[i].says));
-        struct image none;
-        assert_false(image_read(&none, scratch("x.exr")));
-    }
+    static const char *const failures[][2] = {
+        {"average @/a.exr @/a.exr -o @/x.exr", "pass 0 is in it and in one before"},
+        {"average @/whole.exr @/b.exr -o @/x.exr", "pass 4"},
+        {"average @/a.exr @/b.exr -o @/b.exr", "b.exr"},
+        {"average @/a.exr @/plain.exr -o @/x.exr", "does not tell its passes"},
+        {"average @/a.exr @/small.exr -o @/x.exr", "pixels"},
+        {NULL},
+    };
+    expect(0, "% " RENDER "-o @/plain.exr");
+    expect(0, "% render scenes/cornell-box.glb -q --size 8x8 --first-pass 9 -o @/small.exr");
+    expect(0, "% average --help");
+    expect_text("weight");
+    expect_refusals(2, "", wrong);
+    expect_refusals(1, "", failures);
+    struct image none;
+    assert_false(image_read(&none, scratch("x.exr")));
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -131,16 +131,13 @@ TEST(choice) {
 
 /* A note names what is left out, info marks it, and --clip is heard. */
 TEST(commands) {
-    assert_int_equal(run_program("info %s", write_clips(WALK "," RUN "," BLINK)), 0);
+    const char *path = write_clips(WALK "," RUN "," BLINK);
+    expect_command(0, "info", path);
     expect_text("do not play: 1=run;");
     expect_text("channels 2, only by --clip");
-    assert_int_equal(run_program("render %s -o %s --size 8x8 --clip run,blink --time 1",
-                                 write_clips(WALK "," RUN "," BLINK), scratch("run.exr")),
-                     0);
+    expect_command(0, "render -o @/run.exr --size 8x8 --clip run,blink --time 1", path);
     assert_null(strstr(output, "do not play"));
-    assert_int_equal(run_program("render %s -o %s --size 8x8 --clip jump",
-                                 write_clips(WALK "," RUN "," BLINK), scratch("run.exr")),
-                     1);
+    expect_command(1, "render -o @/run.exr --size 8x8 --clip jump", path);
     expect_text("no clip 'jump' (there is: 0=walk 1=run 2=blink)");
 }
 

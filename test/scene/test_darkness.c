@@ -123,9 +123,9 @@ TEST(far_and_large) {
 
 /* A note says what was done. */
 TEST(notes) {
-    assert_int_equal(run_program("info %s", write_row(&rows[0])), 0);
+    expect_command(0, "info", write_row(&rows[0]));
     expect_text("its own lights leave the picture dark");
-    assert_int_equal(run_program("info %s", write_row(&rows[12])), 0);
+    expect_command(0, "info", write_row(&rows[12]));
     expect_text("its lights are dim");
     expect_text("--set exposure=");
 }
@@ -156,9 +156,8 @@ TEST(mirrors) {
         const char *path =
             write_parts("metal.glb", &PARTS(.accessors = ACCESSORS, .materials = materials,
                                             .meshes = MESHES, .nodes = nodes, EXTRA(cube)));
-        assert_int_equal(run_program("reference %s -o %s --size 8x8 --spp 1 %s", path,
-                                     scratch("metal.exr"), cases[i].options),
-                         0);
+        expect_command(0, "reference -o @/metal.exr --size 8x8 --spp 1",
+                       form("%s %s", path, cases[i].options));
         bool is_noted = strstr(output, "metals mirror nothing") != NULL;
         check_near(cases[i].what, is_noted, cases[i].is_noted, 0);
     }
@@ -206,9 +205,8 @@ TEST(notes_of_named_lights) {
                  {&without, "+point position=0,3,3", false},
                  {&without, "framed spot", true}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        assert_int_equal(run_program("reference %s -o %s --size 16x16 --spp 1 --light '%s'",
-                                     write_row(cases[i].row), scratch("named.exr"), cases[i].light),
-                         0);
+        expect_command(0, "reference -o @/named.exr --size 16x16 --spp 1",
+                       form("%s --light '%s'", write_row(cases[i].row), cases[i].light));
         bool is_noted = strstr(output, "so a spot from above") != NULL;
         check_near(cases[i].light, is_noted, cases[i].is_added, 0);
     }

@@ -348,26 +348,22 @@ TEST(pointers) {
 
 /* --- the command line ------------------------------------------------------------------------- */
 
-static int run(const char *arguments, const char *scene) {
-    return run_program("%.2000s %.2000s", arguments, scene);
-}
-
 TEST(options) {
     const char *none = write_textured("none.png");
-    assert_int_equal(run("info", none), 0);
+    expect_command(0, "info", none);
     expect_text("colours by a magenta checker: image 0: cannot open");
-    assert_int_equal(run("info --strict", none), 1);
+    expect_command(1, "info --strict", none);
     expect_text("but for --strict");
-    assert_int_equal(run("render --strict --size 8x8 -o none.exr", none), 1);
-    assert_int_equal(run("reference --strict --size 8x8 -o none.exr", none), 1);
-    assert_int_equal(run("bench times --strict --size 8x8", none), 1);
-    assert_int_equal(run("info --root /no-such-folder", none), 1);
+    expect_command(1, "render --strict --size 8x8 -o none.exr", none);
+    expect_command(1, "reference --strict --size 8x8 -o none.exr", none);
+    expect_command(1, "bench times --strict --size 8x8", none);
+    expect_command(1, "info --root /no-such-folder", none);
     expect_text("--root: /no-such-folder: No such file or directory");
     make_folders();
     const char *arguments = form("info --root %s", scratch("model"));
-    assert_int_equal(run(arguments, write_textured("../textures/x.png")), 1);
+    expect_command(1, arguments, write_textured("../textures/x.png"));
     expect_text(" allows it)");
-    assert_int_equal(run("compare --strict a.exr", "b.exr"), 2);
+    expect_command(2, "compare --strict a.exr", "b.exr");
 }
 
 /* A scene without triangles is told, and not drawn. */
@@ -377,21 +373,21 @@ TEST(empty_scenes) {
         &PARTS(.meshes = "[{primitives: [{attributes: {POSITION: 0}, mode: 0}, {attributes: "
                          "{POSITION: 0}, mode: 1}, {attributes: {POSITION: 0}, mode: 3}]}]",
                .more = SPOT("", "")));
-    assert_int_equal(run("info", points), 0);
+    expect_command(0, "info", points);
     expect_text("points     primitives 1, not drawn");
     expect_text("lines      primitives 2, not drawn");
     expect_text("drawn      0 vertices, 0 triangles");
-    assert_int_equal(run("render --size 8x8 -o none.exr", points), 1);
+    expect_command(1, "render --size 8x8 -o none.exr", points);
     expect_text("there is no triangle, and points and lines are not drawn");
     const char *camera = write_parts(
         "camera.glb",
         &PARTS(.nodes = "[{camera: 0}, {extensions: {KHR_lights_punctual: {light: 0}}}]",
                .more = "cameras: [{type: perspective, perspective: {yfov: 1, znear: 1}}]," SPOT(
                    "", "")));
-    assert_int_equal(run("info", camera), 0);
+    expect_command(0, "info", camera);
     expect_text("lights     1");
     expect_text("cameras    1");
-    assert_int_equal(run("render --size 8x8 -o none.exr", camera), 1);
+    expect_command(1, "render --size 8x8 -o none.exr", camera);
     expect_text("there is no triangle");
     assert_int_equal(access("none.exr", F_OK), -1);
 }

@@ -16,8 +16,7 @@ static bool find_case(const char *name, char path[512]) {
 static void render(const char *path, const char *options, struct image *image) {
     const char *picture = scratch("case.exr");
     remove(picture);
-    if (run_program("render %s %s --size 32x32 -o %s", path, options, picture) != 0)
-        fail_msg("%s: %s", path, output);
+    expect(0, form("%% render %s %s --size 32x32 -o @/case.exr", path, options));
     check_ok(picture, image_read(image, picture));
 }
 
@@ -91,8 +90,7 @@ TEST(coplanar) {
                .materials = "[" COLOUR("1, 0, 0") "," COLOUR("0, 1, 0") "]"));
     for (int i = 0; i < 2; i++) {
         OWNED(image) image;
-        if (run_program("%s %s --size 32x32 -o %s", commands[i], path, scratch("decal.exr")) != 0)
-            fail_msg("%s", output);
+        expect_command(0, commands[i], form("%s --size 32x32 -o @/decal.exr", path));
         check_ok("decal.exr", image_read(&image, scratch("decal.exr")));
         check_layer(&image, "albedo", (float[]){0, 1, 0}, .01);
     }
@@ -164,10 +162,8 @@ TEST(messages) {
         char path[512];
         if (!find_case(cases[i].name, path))
             continue;
-        int status = run_program("info %s", path);
-        printf("    %-36s %d %s\n", cases[i].name, status, cases[i].text);
-        if (status != cases[i].status || !strstr(output, cases[i].text))
-            fail_msg("%s: %d, %s", cases[i].name, status, output);
+        expect_command(cases[i].status, "info", path);
+        expect_text(cases[i].text);
     }
 }
 

@@ -1,5 +1,5 @@
 /* The scenes that make_scenes writes, read back through the loader. */
-#include "support.h"
+#include "command_support.h"
 #include "surface_shape.h"
 
 #include "scene/camera.h"
@@ -51,11 +51,9 @@ static const struct expectation {
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
 
-static int run_tool(const char *folder, const char *names, char *output, size_t size) {
-    const char *build = getenv("MANYLIGHT_BUILD");
-    const char *command = form("mkdir -p %s/failures && %s/scenes/make_scenes %s %s", folder,
-                               build ? build : "build", folder, names);
-    return run_command(command, output, size);
+static void run_tool(int status, const char *folder, const char *names) {
+    expect(status, form("mkdir -p @/%s/failures && " BUILD "/scenes/make_scenes @/%s %s", folder,
+                        folder, names));
 }
 
 /* --- reading back ----------------------------------------------------------------------------- */
@@ -183,8 +181,8 @@ static void scene_path(const char *name, char *path, size_t size) {
 }
 
 TEST(every_scene) {
-    char output[1024], path[512];
-    assert_int_equal(run_tool(scratch("scenes"), "", output, sizeof output), 0);
+    char path[512];
+    run_tool(0, "scenes", "");
     for (int i = 0; i < SCENE_COUNT; i++) {
         scene_path(expectations[i].name, path, sizeof path);
         check_scene(&expectations[i], path);
@@ -193,42 +191,28 @@ TEST(every_scene) {
 
 /* The bytes are the same in another folder, and a second run leaves the files alone. */
 TEST(the_same_bytes) {
-    char output[1024], command[1024];
-    const char *again = scratch("scenes-again");
-    assert_int_equal(run_tool(again, "cornell-box sphere metaballs", output, sizeof output), 0);
-    for (int i = 0; i < SCENE_COUNT; i++) {
-        snprintf(command, sizeof command, "test ! -f %s/%s.glb || cmp %s/%s.glb %s/%s.glb", again,
-                 expectations[i].name, again, expectations[i].name, scratch("scenes"),
-                 expectations[i].name);
-        assert_int_equal(run_command(command, output, sizeof output), 0);
-    }
-    snprintf(command, sizeof command, "touch -d '2001-01-01' %s/sphere.glb", again);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_int_equal(run_tool(again, "sphere", output, sizeof output), 0);
-    snprintf(command, sizeof command, "find %s -newermt '2002-01-01' -name 'sphere*'", again);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    run_tool(0, "again", "cornell-box sphere metaballs");
+    for (int i = 0; i < SCENE_COUNT; i++)
+        expect(0, form("test ! -f @/again/%s.glb || cmp @/again/%s.glb @/scenes/%s.glb",
+                       expectations[i].name, expectations[i].name, expectations[i].name));
+    expect(0, "touch -d '2001-01-01' @/again/sphere.glb");
+    run_tool(0, "again", "sphere");
+    expect(0, "find @/again -newermt '2002-01-01' -name 'sphere*'");
     assert_string_equal(output, "");
 }
 
 TEST(tool_refuses) {
-    char output[1024];
-    assert_int_equal(run_tool(scratch("scenes"), "no-such-scene", output, sizeof output), 1);
-    assert_non_null(strstr(output, "no-such-scene"));
-    const char *build = getenv("MANYLIGHT_BUILD");
-    snprintf(output, sizeof output, "%s/scenes/make_scenes", build ? build : "build");
-    char command[1024];
-    snprintf(command, sizeof command, "%s", output);
-    assert_int_equal(run_command(command, output, sizeof output), 2);
-    snprintf(command, sizeof command, "%s/scenes/make_scenes /nowhere sphere",
-             build ? build : "build");
-    assert_int_equal(run_command(command, output, sizeof output), 1);
-    assert_non_null(strstr(output, "/nowhere/sphere.glb"));
+    run_tool(1, "scenes", "no-such-scene");
+    expect_text("no-such-scene");
+    expect(2, BUILD "/scenes/make_scenes");
+    expect(1, BUILD "/scenes/make_scenes /nowhere sphere");
+    expect_text("/nowhere/sphere.glb");
 }
 
 /* The closed form of the sphere holds to the same degree as its area does. */
 TEST(sphere_is_round) {
-    char output[1024], path[512];
-    assert_int_equal(run_tool(scratch("scenes"), "sphere", output, sizeof output), 0);
+    char path[512];
+    run_tool(0, "scenes", "sphere");
     scene_path("sphere", path, sizeof path);
     OWNED(scene) scene;
     check_ok(path, scene_load(&scene, path));

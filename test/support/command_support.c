@@ -3,16 +3,6 @@
 
 char output[1 << 16];
 
-int run_program(const char *format, ...) {
-    char command[8192];
-    int used = snprintf(command, sizeof command, "%s ", binary_path());
-    va_list more;
-    va_start(more, format);
-    vsnprintf(command + used, sizeof command - (size_t)used, format, more);
-    va_end(more);
-    return run_command(command, output, sizeof output);
-}
-
 /* Whether the % at that place of the line is a word, and no part of a number or a name. */
 static bool is_word(const char *line, const char *at) {
     return (at == line || strchr(" (\"'", at[-1])) && at[1] == ' ';
@@ -49,6 +39,13 @@ void expect_command(int status, const char *command, const char *arguments) {
 
 void expect_text(const char *text) {
     expect_in(output, text);
+}
+
+void expect_refusals(int status, const char *command, const char *const (*rows)[2]) {
+    for (; **rows; rows++) {
+        expect_command(status, command, rows[0][0]);
+        expect_text(rows[0][1]);
+    }
 }
 
 int count_text(const char *where, const char *text) {

@@ -7,9 +7,6 @@
 /* What the last command printed, on stdout and stderr together. */
 extern char output[1 << 16];
 
-/* Runs the program with these arguments; its exit status. */
-int run_program(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
 /* Runs a line of the shell, with the test's own folder for each @ and the program for a % that is a
  * word, both from the root; prints it with what comes, and returns its exit status. */
 int run_line(const char *line);
@@ -22,6 +19,10 @@ void expect_command(int status, const char *command, const char *arguments);
 
 /* Fails unless the last command printed the text. */
 void expect_text(const char *text);
+
+/* Fails unless `BINARY COMMAND ARGUMENTS` ends so, with a message that has the words, for each row
+ * of these two up to one without. */
+void expect_refusals(int status, const char *command, const char *const (*rows)[2]);
 
 /* How often the first text has the second. */
 int count_text(const char *where, const char *text);
