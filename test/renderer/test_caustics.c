@@ -71,7 +71,7 @@ TEST(no_refraction) {
                 {.6F, 2.1F, -2, 128, SIZE / 2}};
     OWNED(stage) with, without;
     open_slab(&with, 1, 1, .75F);
-    open_nodes(&without, "[" FLOOR_NODE "]", .75F);
+    open_nodes(&without, FLOOR_NODE, .75F);
     for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
         with.scene.materials[SMOOTH].absorption[c] = .17F;
     for (size_t i = 0; i < (is_long_run() ? sizeof rows / sizeof *rows : 3); i++) {
@@ -119,10 +119,11 @@ static struct image draw_between(const struct between *between) {
     float from = between->from, to = between->to;
     static const float down[] = {1, 0, -1};
     OWNED(stage) stage;
-    const char *nodes = form("[" FLOOR_NODE ", " UP_NODE
-                             ", {mesh: %d, translation: [-4, 4, 3], rotation: [1, 0, 0, 0], scale: "
-                             "[8, 8, 1]}, {mesh: %d, translation: [4, -2, 1], scale: [4, 4, 1]}]",
-                             -2., -2., 1., 4., 4., between->mirror_ceiling, between->mirror_plate);
+    const char *nodes =
+        form(FLOOR_NODE ", " UP_NODE
+                        ", {mesh: %d, translation: [-4, 4, 3], rotation: [1, 0, 0, 0], scale: "
+                        "[8, 8, 1]}, {mesh: %d, translation: [4, -2, 1], scale: [4, 4, 1]}",
+             -2., -2., 1., 4., 4., between->mirror_ceiling, between->mirror_plate);
     open_nodes(&stage, nodes, 0);
     make_mirror(&stage);
     set_medium(&stage, .15F, .02F, .3F);
@@ -243,12 +244,9 @@ TEST(published) {
     set_medium(&stage, .15F, .02F, .3F);
     stage.camera = FILLED(camera, .eye = {0, -6, .5F}, .right = {1, 0, 0}, .up = {0, 0, 1},
                           .forward = {0, 1, 0}, .fov_y = .1F);
-    char text[256];
-    snprintf(text, sizeof text, "%slines", lines);
-    OWNED(image) right = draw(&stage, text);
+    OWNED(image) right = draw(&stage, form("%slines", lines));
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
-        snprintf(text, sizeof text, "%s%s", lines, settings[i]);
-        OWNED(image) drawn = draw(&stage, text);
+        OWNED(image) drawn = draw(&stage, form("%s%s", lines, settings[i]));
         printf("    %s\n", settings[i]);
         check_near("published over lines", mean_of(&drawn, "volume") / mean_of(&right, "volume"),
                    sqrt(2), .04);
@@ -259,14 +257,11 @@ TEST(published) {
  * corners do not bound. */
 TEST(low_light) {
     OWNED(stage) stage;
-    char nodes[512];
-    int used = snprintf(
-        nodes, sizeof nodes,
-        "[" FLOOR_NODE
-        ", {mesh: 0, translation: [-20, 20, 3], rotation: [1, 0, 0, 0], scale: [40, 40, 1]}, ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(&stage, nodes, 1);
+    open_nodes(&stage,
+               form(FLOOR_NODE ", {mesh: 0, translation: [-20, 20, 3], rotation: [1, 0, 0, 0], "
+                               "scale: [40, 40, 1]}, %s",
+                    square_node(UP_NODE, 1, 4)),
+               1);
     make_mirror(&stage);
     struct emitter *light = &stage.emitters.items[0];
     *light = emitter_new(EMITTER_POINT);
@@ -305,15 +300,11 @@ TEST(lamp) {
                           (float)(2 + s * side / 2)};
         for (int has_lamp = 0; has_lamp < 2; has_lamp++) {
             OWNED(stage) stage;
-            char nodes[512];
-            int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-            used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, 4);
+            const char *nodes = form(FLOOR_NODE ", %s", square_node(DOWN_NODE, 3, 4));
             if (has_lamp)
-                used += snprintf(nodes + used, sizeof nodes - (size_t)used,
-                                 ", {mesh: 0, translation: [0.3, 0.1, 2], rotation: [%.9g, 0, 0, "
-                                 "%.9g], scale: [%g, %g, 1]}",
-                                 sin(turns[i] / 2), cos(turns[i] / 2), side, side);
-            snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+                nodes = form("%s, {mesh: 0, translation: [0.3, 0.1, 2], rotation: [%.9g, 0, 0, "
+                             "%.9g], scale: [%g, %g, 1]}",
+                             nodes, sin(turns[i] / 2), cos(turns[i] / 2), side, side);
             open_nodes(&stage, nodes, 1);
             make_mirror(&stage);
             stage.camera.fov_y = glm_rad(60);

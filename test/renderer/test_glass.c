@@ -50,13 +50,11 @@ TEST(mirror) {
  * the floor. */
 TEST(indirect) {
     OWNED(stage) stage;
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, .2);
-    snprintf(
-        nodes + used, sizeof nodes - (size_t)used,
-        ", {mesh: 0, translation: [-20, 20, 3.01], rotation: [1, 0, 0, 0], scale: [40, 40, 1]}]");
-    open_nodes(&stage, nodes, 1);
+    open_nodes(&stage,
+               form(FLOOR_NODE ", %s, {mesh: 0, translation: [-20, 20, 3.01], "
+                               "rotation: [1, 0, 0, 0], scale: [40, 40, 1]}",
+                    square_node(DOWN_NODE, 3, .2)),
+               1);
     make_mirror(&stage);
     look_up(&stage);
     stage.emitters.items[0].cos_outer = cosf(.35F);
@@ -176,23 +174,18 @@ static void make_black_pane(struct stage *stage, float alpha) {
     lay_out(stage);
 }
 
-/* A small floor and a square above, which faces down, of that material; room for more nodes. */
-static int print_storeys(char *text, size_t size, int material, double z) {
-    return snprintf(text, size,
-                    "[{mesh: 0, translation: [-2, -2, 0], scale: [4, 4, 1]}, {mesh: %d, "
-                    "translation: [-2, 2, %g], rotation: [1, 0, 0, 0], scale: [4, 4, 1]}",
-                    material, z);
+/* A small floor and a square above, which faces down, of that material. */
+static const char *storeys(int material, double z) {
+    return form("{mesh: 0, translation: [-2, -2, 0], scale: [4, 4, 1]}, {mesh: %d, "
+                "translation: [-2, 2, %g], rotation: [1, 0, 0, 0], scale: [4, 4, 1]}",
+                material, z);
 }
 
 /* A floor and a ceiling, and between them perhaps a black pane of alpha .6. */
 static void open_storeys(struct stage *stage, bool pane, float light) {
-    char nodes[512];
-    int used = print_storeys(nodes, sizeof nodes, FLOOR, 2);
-    if (pane) {
-        used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-        used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
-    }
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    const char *nodes = storeys(FLOOR, 2);
+    if (pane)
+        nodes = form("%s, %s", nodes, square_node(UP_NODE, 1, 4));
     open_nodes(stage, nodes, 1.5F);
     make_black_pane(stage, .6F);
     place_light(stage, light);
@@ -243,10 +236,7 @@ TEST(panes_before_sky) {
             double of_opaque = 0, covered = 0;
             for (int blends = 0; blends < 2; blends++) {
                 OWNED(stage) stage;
-                char nodes[512];
-                int used = print_storeys(nodes, sizeof nodes, SMOOTH, 1);
-                snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-                open_nodes(&stage, nodes, .2F);
+                open_nodes(&stage, storeys(SMOOTH, 1), .2F);
                 stage.scene.materials[SMOOTH].blends = blends;
                 stage.scene.materials[SMOOTH].base_color[3] = .6F;
                 lay_out(&stage);
@@ -273,8 +263,8 @@ TEST(half_a_lamp) {
     for (int pane = 0; pane < 2; pane++) {
         OWNED(stage) stage;
         open_nodes(&stage,
-                   pane ? "[" FLOOR_NODE ", {mesh: 1, translation: [0, -4, 1], scale: [8, 8, 1]}]"
-                        : "[" FLOOR_NODE "]",
+                   pane ? FLOOR_NODE ", {mesh: 1, translation: [0, -4, 1], scale: [8, 8, 1]}"
+                        : FLOOR_NODE,
                    .5F);
         make_black_pane(&stage, .5F);
         stage.emitters.items[0].type = EMITTER_AREA;
@@ -337,15 +327,10 @@ TEST(two_renderers) {
  * sides has the light below it. */
 TEST(wall_from_behind) {
     OWNED(stage) stage;
-    char nodes[512];
-    int used =
-        snprintf(nodes, sizeof nodes,
-                 "[" FLOOR_NODE ", {mesh: 0, translation: [-2, -2, 2.5], scale: [4, 4, 1]}, ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 1);
-    used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, 1);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(&stage, nodes, .5F);
+    open_nodes(&stage,
+               form(FLOOR_NODE ", {mesh: 0, translation: [-2, -2, 2.5], scale: [4, 4, 1]}, %s, %s",
+                    square_node(UP_NODE, 1, 1), square_node(DOWN_NODE, .8, 1)),
+               .5F);
     make_glass(&stage, 1);
     look_up(&stage);
     stage.emitters.items[0].position[2] = 1.5F;
@@ -408,7 +393,7 @@ static void check_medium(bool thin) {
     OWNED(stage) with, without;
     open_slab(&with, 1, 4, 2);
     with.scene.materials[SMOOTH].thin_walled = thin;
-    open_nodes(&without, "[" FLOOR_NODE "]", 2);
+    open_nodes(&without, FLOOR_NODE, 2);
     place_light(&with, .5F);
     place_light(&without, .5F);
     with.camera.fov_y = without.camera.fov_y = 1;

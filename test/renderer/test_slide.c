@@ -48,7 +48,7 @@ static void set_slide(struct stage *stage, bool is_white) {
 
 /* A floor that the whole cone falls onto, from above, turned. */
 static void open_floor(struct stage *stage) {
-    open_nodes(stage, "[" FLOOR_NODE "]", 2.5F);
+    open_nodes(stage, FLOOR_NODE, 2.5F);
     struct emitter *light = &stage->emitters.items[0];
     light->cos_outer = cosf(.7F);
     light->cos_inner = cosf(.65F);
@@ -157,7 +157,7 @@ TEST(caustic) {
     static const char *const channels[] = {"R", "G", "B"};
     OWNED(stage) with, without;
     open_slab(&with, 1, 1, .75F);
-    open_nodes(&without, "[" FLOOR_NODE "]", .75F);
+    open_nodes(&without, FLOOR_NODE, .75F);
     struct stage *const both[] = {&with, &without};
     for (int i = 0; i < 2; i++) {
         both[i]->camera.fov_y = glm_rad(130);

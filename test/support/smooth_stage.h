@@ -21,17 +21,16 @@ enum { SIZE = 64, FLOOR = 0, SMOOTH = 1 }; /* pixels; materials */
 #define UP_NODE "{mesh: 1, translation: [%g, %g, %g], scale: [%g, %g, 1]}"
 #define DOWN_NODE "{mesh: 1, translation: [%g, %g, %g], rotation: [1, 0, 0, 0], scale: [%g, %g, 1]}"
 
-static inline int print_square(char *text, size_t size, const char *node, double z, double width) {
+static inline const char *square_node(const char *node, double z, double width) {
     bool is_down = strcmp(node, DOWN_NODE) == 0;
-    return snprintf(text, size, node, -width / 2, is_down ? width / 2 : -width / 2, z, width,
-                    width);
+    return form(node, -width / 2, is_down ? width / 2 : -width / 2, z, width, width);
 }
 
 /* A light of 1 W/sr in z = 2 that shines down, and a camera that looks down from such a height. */
 static inline void open_nodes(struct stage *stage, const char *nodes, float eye) {
     *stage = open_stage(write_parts(
         "caustics.glb",
-        &PARTS(.nodes = nodes,
+        &PARTS(.nodes = form("[%s]", nodes),
                .materials = "[{pbrMetallicRoughness: {metallicFactor: 0}}, {pbrMetallicRoughness: "
                             "{metallicFactor: 0}}]",
                .meshes = "[{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}, "
@@ -77,14 +76,9 @@ struct square {
 /* The floor and such squares. */
 static inline void open_squares(struct stage *stage, const struct square *squares, int count,
                                 float eye) {
-    char nodes[1024];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE);
-    for (int i = 0; i < count; i++) {
-        used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-        used += print_square(nodes + used, sizeof nodes - (size_t)used, squares[i].node,
-                             squares[i].z, squares[i].width);
-    }
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    const char *nodes = FLOOR_NODE;
+    for (int i = 0; i < count; i++)
+        nodes = form("%s, %s", nodes, square_node(squares[i].node, squares[i].z, squares[i].width));
     open_nodes(stage, nodes, eye);
 }
 
