@@ -1,4 +1,5 @@
 // Numbers from 0 to 1 for choices: random ones, even ones, and choices that stretch the rest of a number.
+#include "shared/gather.h"
 
 // Two numbers, the same ones for the same three integers [Jarzynski and Olano 2020, pcg3d].
 vec2 random_of(uvec3 seed) {
@@ -37,4 +38,11 @@ int take_half(inout float x, float first, float second) {
     x = is_first ? x / share : (x - share) / max(1.0 - share, 1e-6);
     x = min(x, 0.999999);
     return is_first ? 0 : 1;
+}
+
+// Two numbers for each pixel and ray: neighbours' lie far apart, and so do one pixel's. start: of the pass.
+vec2 pixel_sample(ivec2 pixel, vec2 start, int ray) {
+    const vec2 STEP = vec2(SPECULAR_STEP_X, SPECULAR_STEP_Y);
+    vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
+    return fract(fract(shift) + start + float(ray) * STEP);
 }

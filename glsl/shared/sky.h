@@ -63,6 +63,8 @@ STD140_SIZE(sky_row, 16 * SKY_ROW_TEXELS)
 
 /* Parameters of passes/visibility/environment_lighting.h. */
 #define UNIT_SKY_SHARES (UNIT_OWN + 0)
+#define UNIT_LOBE_SKY (UNIT_OWN + 1) /* the panorama */
+#define UNIT_SKY_REFLECTED (UNIT_OWN + 2)
 
 /* Side of the table of lights' irradiance by surface normal, texels. */
 #define SKY_SHARES_SIZE 65
@@ -72,8 +74,12 @@ struct environment_lighting_params {
     int block;      /* side of a visibility block, pixels */
     float disagree; /* disagreement of blocks from which a pixel starts rays, over all its light */
     int pass;       /* index of the pass; each has other points of the lights */
+    float sky_strength;
+    float sky_turn; /* radians */
+    float scale;    /* of the blurred radiance */
+    float unused0;
 };
-STD140_SIZE(environment_lighting_params, 16)
+STD140_SIZE(environment_lighting_params, 32)
 
 /* Lights of a layer of an array; layers of a draw. */
 #define SKY_LAYER_LIGHTS 4

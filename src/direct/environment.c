@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "passes/frame.h"
+#include "passes/gather/blur.h"
 #include "passes/visibility/environment_lighting.h"
 
 #define ROW(name) offsetof(struct environment_settings, name)
@@ -32,12 +33,18 @@ const struct settings_part sky_part = {"sky", "direct light of an environment", 
 /* Pixels along each side of a block that shares its visibility. */
 enum { BLOCK = 4 };
 
+/* Radius of the blur of lobes in pixels, and how far its neighbours lie, over the picture's height
+ * at the pixel's depth. */
+enum { LOBE_BLUR = 4 };
+static const float lobe_distance = .1F;
+
 /* Where blocks differ by more, over the environment's light, rays start at the pixels between them;
  * of more than 60 lights divided by lights / 60. */
 static const float disagree = .02F;
 
 struct lighting {
     struct environment_lighting_pass light;
+    struct blur_pass blur;            /* of rays of lobes, with light.desc.specular */
     struct environment_lights lights; /* as the map lies, without its turn and strength */
     struct sky_block block;           /* as it is turned */
     struct buffer buffer;             /* the same, for BLOCK_SKY */
@@ -49,10 +56,16 @@ static void free_state(void *state) {
     struct lighting *lighting = state;
     if (lighting) {
         environment_lighting_pass_free(&lighting->light);
+        blur_pass_free(&lighting->blur);
         buffer_free(&lighting->buffer);
         lighting->lamps->free(lighting->lamps_state);
     }
     free(lighting);
+}
+
+static bool init_blur(struct blur_pass *blur, bool specular, int width, int height) {
+    const struct blur_desc desc = blur_desc_specular(width, height, LOBE_BLUR, lobe_distance);
+    return !specular || blur_pass_init(blur, &desc);
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
@@ -69,11 +82,13 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                    .casters = desc->casters,
                                                    .lights = desc->sky->count,
                                                    .suns = environment_lights_suns(desc->sky),
+                                                   .bright = environment_lights_bright(desc->sky),
                                                    .block = BLOCK,
                                                    .shadow_rays = own->shadow_rays,
                                                    .disagree = disagree,
                                                    .specular = desc->specular,
                                                    .medium = desc->medium}) &&
+           init_blur(&lighting->blur, desc->specular, desc->width, desc->height) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block,
                        &lighting->block);
 }
@@ -81,12 +96,17 @@ static bool init(void **state, const struct direct_desc *desc) {
 static bool resize(void *state, int width, int height) {
     struct lighting *lighting = state;
     const struct environment_lighting_desc old = lighting->light.desc;
-    if (!environment_lighting_pass_resize(&lighting->light, width, height))
-        return false;
-    if (lighting->lamps->resize(lighting->lamps_state, width, height))
-        return true;
-    environment_lighting_pass_resize(&lighting->light, old.width, old.height);
-    return false;
+    struct blur_pass blur = {0};
+    bool ok = init_blur(&blur, old.specular, width, height) &&
+              environment_lighting_pass_resize(&lighting->light, width, height);
+    if (ok && !lighting->lamps->resize(lighting->lamps_state, width, height)) {
+        environment_lighting_pass_resize(&lighting->light, old.width, old.height);
+        ok = false;
+    }
+    blur_pass_free(ok ? &lighting->blur : &blur);
+    if (ok)
+        lighting->blur = blur;
+    return ok;
 }
 
 static void render_lights(void *state, const struct frame *frame) {
@@ -103,11 +123,18 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct lighting *lighting = state;
     const struct direct_method *lamps = lighting->lamps;
-    struct environment_lighting_inputs inputs = {&lighting->buffer,
-                                                 lamps->light(lighting->lamps_state), NULL};
-    if (lighting->light.desc.specular)
-        inputs.specular = lamps->specular(lighting->lamps_state);
+    struct environment_lighting_inputs inputs = {
+        .lights = &lighting->buffer,
+        .direct = lamps->light(lighting->lamps_state),
+        .reflected = &lighting->blur.blurred.texture,
+    };
     lamps->render_view(lighting->lamps_state, frame, gbuffer);
+    if (lighting->light.desc.specular) {
+        inputs.specular = lamps->specular(lighting->lamps_state);
+        environment_lighting_pass_render_lobes(&lighting->light, frame, gbuffer, inputs.lights);
+        blur_pass_render(&lighting->blur, frame, gbuffer,
+                         &(struct blur_inputs){.source = &lighting->light.lobes});
+    }
     environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);
 }
 

@@ -184,6 +184,23 @@ int environment_lights_suns(const struct environment_lights *lights) {
     return suns;
 }
 
+int environment_lights_bright(const struct environment_lights *lights) {
+    static const float contrast = 8;
+    float power = 0, area = 4 * GLM_PIf; /* of the lights that are left */
+    int bright = 0;
+    for (int i = 0; i < lights->count; i++)
+        power += environment_light_power(&lights->items[i]);
+    for (; bright < lights->count; bright++) {
+        const struct environment_light *light = &lights->items[bright];
+        float own = environment_light_power(light);
+        power -= own;
+        area -= light->solid_angle;
+        if (own * area <= contrast * fmaxf(power, 0) * light->solid_angle)
+            break;
+    }
+    return bright;
+}
+
 static struct emitter towards(const float direction[3]) {
     struct emitter emitter = {.type = EMITTER_DIRECTIONAL, .number = -1};
     vec3 away;

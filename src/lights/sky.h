@@ -30,6 +30,10 @@ void environment_lights_find_joins(struct environment_lights *lights);
 enum { SKY_SUNS_MAX = 4 };
 int environment_lights_suns(const struct environment_lights *lights);
 
+/* Returns the number of bright lights, the first lights of more than 8 times the mean radiance of
+ * all that follow. */
+int environment_lights_bright(const struct environment_lights *lights);
+
 /* Groups of neighbouring environment lights. */
 struct sky_groups {
     int of[ENVIRONMENT_LIGHTS_MAX]; /* group of each light, from 0 */

@@ -64,14 +64,6 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     return desc;
 }
 
-/* 15 degrees. Smaller angles find no neighbours on small round objects; with one pixel to each side
- * the blur is as sharp as the lobe. */
-static const float specular_cosine = .966F;
-
-/* 5 degrees, for narrow lobes, which only the blur of rays takes: a mirrored direction turns twice
- * as far as the normal. */
-static const float narrow_cosine = .996F;
-
 int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, settings, &gather_part);
@@ -135,19 +127,11 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     gather.specular_rays = SPECULAR_RAY_COUNT;
     if (rays)
         take_rays(&gather);
-    const struct blur_desc of_blur = {
-        .width = desc->width,
-        .height = desc->height,
-        .radius = radius,
-        .distance = blur->distance,
-        .cosine = specular_cosine,
-        .detail_cosine = narrow_cosine,
-        .specular = rays,
-        .level_radius = {.5F, (float)radius},
-        .level_weight = {1, 1},
-        .square = !rays,
-        .lender = lights->blur.half.texture.id ? &lights->blur : NULL,
-    };
+    struct blur_desc of_blur =
+        blur_desc_specular(desc->width, desc->height, radius, blur->distance);
+    of_blur.specular = rays;
+    of_blur.square = !rays;
+    of_blur.lender = lights->blur.half.texture.id ? &lights->blur : NULL;
     return lights->specular == SPECULAR_NONE ||
            (gather_pass_init(&lights->specular_gather, &gather) &&
             blur_pass_init(&lights->specular_blur, &of_blur));

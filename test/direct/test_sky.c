@@ -239,6 +239,43 @@ TEST(furnace_of_glass) {
                    1, .005);
 }
 
+/* --- rough metal ------------------------------------------------------------------------------ */
+
+/* A floor 6 m before a wall of 3 m, seen 20 degrees above it: the wall takes the middle of most
+ * lobes, and their tails find the sky. */
+static void open_metal_floor(struct stage *stage) {
+    const float cosine = cosf(.35F), sine = sinf(.35F);
+    open_quads(stage, "translation: [0, 0, 2]",
+               "{mesh: 0, scale: [60, 80, 1], translation: [-30, -40, 0]},{mesh: 0, rotation: [0, "
+               "0.70710678, 0, 0.70710678], scale: [3, 80, 1], translation: [0, -40, 3]}");
+    stage->scene.materials[0].metalness = 1;
+    stage->camera = FILLED(camera, .eye = {3 + 20 * cosine, 0, 20 * sine}, .right = {0, 1, 0},
+                           .up = {-sine, 0, cosine}, .forward = {-cosine, 0, -sine},
+                           .orthographic = true, .y_extent = 3 * sine);
+}
+
+TEST(metal_before_wall) {
+    static const struct {
+        float roughness;
+        double bound; /* of noise; .2 has no blur */
+    } rows[] = {{.4F, .15}, {.6F, .08}, {.2F, 1.4}};
+    OWNED(stage) stage;
+    open_metal_floor(&stage);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (!is_tried_here(i, 3))
+            continue;
+        printf("  roughness %g\n", (double)rows[i].roughness);
+        stage.scene.materials[0].roughness = rows[i].roughness;
+        OWNED(image)
+        reference = TRACE(&stage, .width = SIZE, .height = SIZE, .samples = 64, .centers = true);
+        OWNED(image) got = render_stage(&stage, "unshadowed", "", SIZE);
+        double mean = layer_mean(&reference, "direct.specular");
+        check_near("mirrored sky, mean", layer_mean(&got, "direct.specular"), mean, .03 * mean);
+        check_at_most("its relative RMSE", relative_rmse(&got, &reference, "direct.specular"),
+                      rows[i].bound);
+    }
+}
+
 /* --- a closed room, 1 m wide and high, its walls two triangles thin --------------------------- */
 
 /* Wall x = .5 has a window there; +Z is up. */

@@ -50,6 +50,10 @@ struct blur_inputs {
     const struct irradiance *adaptive;
 };
 
+/* Describes the blur of specular reflection, radiance towards the camera, which keeps textures and
+ * images of narrow lobes sharp. */
+struct blur_desc blur_desc_specular(int width, int height, int radius, float distance);
+
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);
 void blur_pass_free(struct blur_pass *pass);
 

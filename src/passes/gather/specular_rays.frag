@@ -27,13 +27,6 @@ layout(location = TARGET_RESULT) out vec4 radiance;
 
 const float INVERSE_PI = 0.31830988618;
 
-// Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
-vec2 sample_of(ivec2 pixel, int ray) {
-    const vec2 STEP = vec2(SPECULAR_STEP_X, SPECULAR_STEP_Y);
-    vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
-    return fract(fract(shift) + params.start + float(ray) * STEP);
-}
-
 // How much of what the ray finds is the rays' to add: VPLs find the rest.
 float share_of_rays(specular_surface seen, surface s, surface end, vec3 direction, chosen_light chosen, float rays) {
     vec3 path = end.position - s.position;
@@ -103,7 +96,7 @@ void main() {
     vec3 facet = receiver_triangle(s, pixel);
     int rays = max(int(float(params.rays) * specular_effort(seen)), 1);
     for (int ray = 0; ray < rays; ray++) {
-        vec2 place = sample_of(pixel, ray);
+        vec2 place = pixel_sample(pixel, params.start, ray);
         vec3 direction = lobe_sample(seen, place);
         float density = lobe_density(seen, direction);
         bool asks = dot(direction, s.normal) > 0.0 && !is_behind_horizon(facet, direction) && density > 0.0;

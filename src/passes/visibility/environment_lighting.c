@@ -6,6 +6,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
+#include "scene/lights/environment.h"
 #include "shared/sky.h"
 
 #include <stdlib.h>
@@ -14,20 +15,30 @@
  * with what one of them has. */
 static const int few = 60;
 
+/* Rays of a pixel's lobe. */
+enum { LOBE_RAYS = 4 };
+
 static float disagree_of(const struct environment_lighting_desc *desc) {
     int count = desc->lights;
     return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
 }
 
 static struct environment_lighting_params params_of(const struct environment_lighting_desc *desc,
-                                                    int pass) {
-    return (struct environment_lighting_params){
-        .count = desc->lights, .block = desc->block, .disagree = disagree_of(desc), .pass = pass};
+                                                    const struct frame *frame) {
+    const struct environment *sky = frame->emitters->sky;
+    return (struct environment_lighting_params){.count = desc->lights,
+                                                .block = desc->block,
+                                                .disagree = disagree_of(desc),
+                                                .pass = frame->pass,
+                                                .sky_strength = sky->strength,
+                                                .sky_turn = glm_rad(sky->turn),
+                                                .scale = frame->irradiance_scale};
 }
 
 static bool init_programs(struct environment_lighting_pass *pass) {
-    char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d%s", pass->desc.suns, pass->desc.shadow_rays,
-                               pass->desc.medium ? ";HAS_MEDIUM" : "");
+    char *defines =
+        mem_printf("SUNS %d;BRIGHT %d;SHADOW_RAYS %d%s", pass->desc.suns, pass->desc.bright,
+                   pass->desc.shadow_rays, pass->desc.medium ? ";HAS_MEDIUM" : "");
     char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
     bool ok =
         program_init(&pass->share_program,
@@ -41,6 +52,13 @@ static bool init_programs(struct environment_lighting_pass *pass) {
                      &(struct program_desc){
                          .screen = {"passes/visibility/environment_lighting.frag", .blended = true},
                          .defines = light_defines});
+    if (ok && pass->desc.specular) {
+        char *lobe_defines = mem_printf("%s;LOBE_RAYS %d", defines, LOBE_RAYS);
+        ok = program_init(&pass->lobe_program,
+                          &(struct program_desc){.screen = {"passes/visibility/sky_lobes.frag"},
+                                                 .defines = lobe_defines});
+        free(lobe_defines);
+    }
     mem_free(defines, light_defines);
     return ok;
 }
@@ -68,6 +86,12 @@ static bool init_light(struct environment_lighting_pass *pass, struct texture *t
                                                         .height = pass->desc.height});
 }
 
+static bool init_lobes(struct environment_lighting_pass *pass) {
+    const struct environment_lighting_desc *desc = &pass->desc;
+    return init_light(pass, &pass->specular, "environment lighting, specular") &&
+           irradiance_init(&pass->lobes, "sky in lobes", GL_RGBA32F, desc->width, desc->height, 1);
+}
+
 /* What is as large as the picture. */
 static bool init_targets(struct environment_lighting_pass *pass) {
     const struct environment_lighting_desc *desc = &pass->desc;
@@ -83,23 +107,23 @@ static bool init_targets(struct environment_lighting_pass *pass) {
                                       .height = (desc->height + desc->block - 1) / desc->block,
                                       .layers = layers(desc)}) &&
            init_light(pass, &pass->light, "environment lighting") &&
-           (!desc->specular ||
-            init_light(pass, &pass->specular, "environment lighting, specular")) &&
+           (!desc->specular || init_lobes(pass)) &&
            framebuffer_init(&pass->light_framebuffer, &light);
 }
 
 static void free_targets(struct environment_lighting_pass *pass) {
     framebuffers_free(&pass->block_framebuffer, &pass->light_framebuffer);
     textures_free(&pass->blocks, &pass->light, &pass->specular);
+    irradiance_free(&pass->lobes);
 }
 
 bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
                                     const struct environment_lighting_desc *desc) {
     *pass = (struct environment_lighting_pass){.desc = *desc};
-    struct environment_lighting_params params = params_of(desc, 0);
     if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) &&
         init_shares(pass) && init_targets(pass) &&
-        buffer_init(&pass->params, "sky parameters", sizeof params, &params))
+        buffer_init(&pass->params, "sky parameters", sizeof(struct environment_lighting_params),
+                    NULL))
         return true;
     environment_lighting_pass_free(pass);
     return false;
@@ -107,7 +131,8 @@ bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
 
 void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->bvh);
-    programs_free(&pass->share_program, &pass->block_program, &pass->light_program);
+    programs_free(&pass->share_program, &pass->block_program, &pass->lobe_program,
+                  &pass->light_program);
     free_targets(pass);
     framebuffer_free(&pass->share_framebuffer);
     texture_free(&pass->shares);
@@ -115,11 +140,13 @@ void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     *pass = (struct environment_lighting_pass){0};
 }
 
-DEFINE_RESIZE(environment_lighting_pass, block_framebuffer, specular)
+DEFINE_RESIZE(environment_lighting_pass, block_framebuffer, lobes)
 
 void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
                                              const struct frame *frame,
                                              const struct buffer *lights) {
+    struct environment_lighting_params params = params_of(&pass->desc, frame);
+    buffer_write(&pass->params, 0, sizeof params, &params);
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "sky shares",
                                   .program = pass->share_program,
@@ -170,21 +197,45 @@ static void draw_light(const struct environment_lighting_pass *pass, const struc
     timer_end(frame->timers);
 }
 
-void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
-                                      const struct frame *frame, const struct gbuffer *gbuffer,
-                                      const struct environment_lighting_inputs *inputs) {
+/* Returns the state that passes over the G-buffer share, and writes their parameters. */
+static struct pass_state begin_view(const struct environment_lighting_pass *pass,
+                                    const struct frame *frame, const struct gbuffer *gbuffer,
+                                    const struct buffer *lights) {
     struct pass_state state = {
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_BVH, pass->bvh->buffer.texels},
-                     {UNIT_SKY_SHARES, pass->shares.id}},
-        .blocks = {{BLOCK_VIEW, frame->view},
-                   {BLOCK_SKY, inputs->lights},
-                   {BLOCK_PASS, &pass->params}},
+                     {UNIT_BVH, pass->bvh->buffer.texels}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_SKY, lights}, {BLOCK_PASS, &pass->params}},
     };
-    struct environment_lighting_params params = params_of(&pass->desc, frame->pass);
+    struct environment_lighting_params params = params_of(&pass->desc, frame);
     buffer_write(&pass->params, 0, sizeof params, &params);
     frame_add_medium(frame, &state);
+    return state;
+}
+
+void environment_lighting_pass_render_lobes(const struct environment_lighting_pass *pass,
+                                            const struct frame *frame,
+                                            const struct gbuffer *gbuffer,
+                                            const struct buffer *lights) {
+    struct pass_state state = begin_view(pass, frame, gbuffer, lights);
+    state.name = "sky in lobes";
+    state.program = pass->lobe_program;
+    state.framebuffer = pass->lobes.framebuffer;
+    state.width = pass->desc.width;
+    state.height = pass->desc.height;
+    pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
+    pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
+    pass_add_texture(&state, UNIT_LOBE_SKY, frame->scene->sky.id);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
+
+void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
+                                      const struct frame *frame, const struct gbuffer *gbuffer,
+                                      const struct environment_lighting_inputs *inputs) {
+    struct pass_state state = begin_view(pass, frame, gbuffer, inputs->lights);
+    pass_add_texture(&state, UNIT_SKY_SHARES, pass->shares.id);
     draw_blocks(pass, frame, &state);
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
@@ -193,6 +244,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
+        pass_add_texture(&state, UNIT_SKY_REFLECTED, inputs->reflected->id);
     }
     draw_light(pass, frame, &state);
 }

@@ -3,7 +3,7 @@
 #define BLOCK_COSINE 0.9
 #include "shared/sky.h"
 
-PASS_BLOCK(environment_lighting_params, 16)
+PASS_BLOCK(environment_lighting_params, 32)
 
 #include "passes/gather/block.glsl"
 #include "lib/medium.glsl"
@@ -18,14 +18,22 @@ layout(location = TARGET_RESULT) out vec4 lit;
 #ifdef HAS_SPECULAR
 #include "lib/lobe.glsl"
 #include "passes/visibility/pixel_spread.glsl"
+#include "passes/visibility/sky_lamps.glsl"
 
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
+layout(binding = UNIT_SKY_REFLECTED) uniform sampler2D reflected; // but for lamps (sky_lobes.frag)
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 
-// Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo. The light is cut at the
-// surface's horizon, so that a whole sky adds up to 1.
-float sky_specular(lobe o, int i) {
+// Of a light that nothing hides, radiance over radiance. By places of a light smaller than the lobe: linearly transformed
+// cosines lack the tails of grazing lobes.
+vec3 sky_specular(specular_surface s, lobe o, int i) {
+    if (sky_is_small(i, s.alpha)) {
+        vec3 sum = vec3(0.0);
+        for (int k = 0; k < 4; k++)
+            sum += specular_brdf(s, normalize(sky_towards(i, vec2(k & 1, k >> 1) - 0.5)));
+        return 0.25 * length(sky_vector(i)) * sum;
+    }
     const vec3 Z = vec3(0.0, 0.0, 1.0);
     polygon_sum above = polygon_sum(0.0, vec3(0.0), vec3(0.0)), p = above;
     vec3 last = o.from_world * sky_corner(i, 3);
@@ -36,7 +44,7 @@ float sky_specular(lobe o, int i) {
         last = next;
     }
     polygon_edge(p, above.leaves, above.enters, Z);
-    return polygon_end(p, Z) / 3.14159265;
+    return polygon_end(p, Z) / 3.14159265 * o.albedo;
 }
 #endif
 
@@ -91,6 +99,7 @@ void main() {
     lit = layers.x > 0 ? vec4(0.0) : texelFetch(direct, pixel, 0);
 #ifdef HAS_SPECULAR
     specular = layers.x > 0 ? vec4(0.0) : texelFetch(direct_specular, pixel, 0);
+    specular.rgb += layers.x > 0 ? vec3(0.0) : texelFetch(reflected, pixel, 0).rgb / params.scale;
 #endif
     surface s = gbuffer_surface(pixel);
     if (!s.present)
@@ -103,11 +112,10 @@ void main() {
     vec3 shining = vec3(0.0);
     specular_surface seen = gbuffer_specular(s, pixel), wide = widened(seen, 0.0, pixel);
     lobe o = lobe_of(wide);
-    o.albedo *= widened_scale(seen, wide);
 #endif
     // Masks and loops over their bits, no branch in the loop over lights: a software rasteriser runs what a branch
     // leaves out for all pixels.
-    uint asked = 0u, shown = 0u;
+    uint asked = 0u, shown = 0u; // shown: lamps of whose visibility blocks tell
     for (int layer = layers.x; layer < min(layers.x + layers.y, count); layer++) {
         vec4 shares = sky_shares(s.normal, layer), apart;
         vec4 visible = visibility_of_blocks(b, layer, apart);
@@ -117,7 +125,9 @@ void main() {
             uint bit = 1u << (i - SKY_LAYER_LIGHTS * layers.x);
             bool ask = shares[k] * radiance.a * apart[k] > limit;
             asked |= ask ? bit : 0u;
-            shown |= !ask && shares[k] * visible[k] > 0.0 ? bit : 0u;
+#ifdef HAS_SPECULAR
+            shown |= !ask && sky_is_lamp(i, wide.alpha) && shares[k] * visible[k] > 0.0 ? bit : 0u;
+#endif
             sum += ask ? vec3(0.0) : through_medium(radiance.rgb, i, s.position) * (shares[k] * visible[k]);
         }
     }
@@ -127,7 +137,7 @@ void main() {
         seen = through_medium(seen, i, s.position);
         sum += seen * sky_shares(s.normal, i / SKY_LAYER_LIGHTS)[i % SKY_LAYER_LIGHTS];
 #ifdef HAS_SPECULAR
-        shining += seen * sky_specular(o, i);
+        shining += sky_is_lamp(i, wide.alpha) ? seen * sky_specular(wide, o, i) : vec3(0.0);
 #endif
     }
 #ifdef HAS_SPECULAR
@@ -135,11 +145,11 @@ void main() {
         int i = SKY_LAYER_LIGHTS * layers.x + findLSB(shown);
         vec4 apart, visible = visibility_of_blocks(b, i / SKY_LAYER_LIGHTS, apart);
         vec3 seen = sky_radiance(i).rgb * visible[i % SKY_LAYER_LIGHTS];
-        shining += through_medium(seen, i, s.position) * sky_specular(o, i);
+        shining += through_medium(seen, i, s.position) * sky_specular(wide, o, i);
     }
 #endif
     lit.rgb += sum / PI;
 #ifdef HAS_SPECULAR
-    specular.rgb += o.albedo * shining;
+    specular.rgb += widened_scale(seen, wide) * shining;
 #endif
 }

@@ -2,12 +2,17 @@
  * rays.
  *
  * Unoccluded light is exact. Rays start once per block of pixels (block_visibility.h) and at pixels
- * whose blocks disagree. The part of a light below a pixel's horizon does not count. */
+ * whose blocks disagree. The part of a light below a pixel's horizon does not count.
+ *
+ * Specular surfaces find the environment by rays of their lobe [Heitz 2018], which the caller
+ * blurs, but for lamps (sky_lamps.glsl), whose light and visibility are those of the fit. Cost: 4
+ * rays a pixel, 16 on smooth surfaces. */
 #ifndef PASSES_ENVIRONMENT_LIGHTING_H
 #define PASSES_ENVIRONMENT_LIGHTING_H
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
+#include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 
 struct frame;
@@ -16,7 +21,8 @@ struct gbuffer;
 struct environment_lighting_desc {
     int width, height;           /* of the picture */
     struct caster_pool *casters; /* must outlive the pass */
-    int lights, suns;            /* number of lights; the first `suns` are suns */
+    int lights;                  /* number of lights */
+    int suns, bright;            /* number of suns and of bright lights, the first ones */
     int block;                   /* side of a visibility block, pixels */
     int shadow_rays;             /* rays to each light; suns have more */
     /* Disagreement of blocks from which a pixel starts its own rays, over its light; smaller with
@@ -29,7 +35,7 @@ struct environment_lighting_desc {
 struct environment_lighting_pass {
     struct environment_lighting_desc desc;
     const struct caster_bvh *bvh;
-    GLuint share_program, block_program, light_program;
+    GLuint share_program, block_program, lobe_program, light_program;
     /* RGBA32F, four lights a layer, and a layer with all (sky_shares.frag). */
     struct texture shares;
     GLuint share_framebuffer;
@@ -37,6 +43,7 @@ struct environment_lighting_pass {
     struct texture blocks;   /* RGBA8, the same layers */
     struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
     struct texture specular; /* RGBA32F, radiance towards the camera, with desc.specular */
+    struct irradiance lobes; /* what rays of lobes find, with desc.specular */
     struct buffer params;
 };
 
@@ -50,15 +57,22 @@ bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, in
                                       int height);
 
 struct environment_lighting_inputs {
-    const struct buffer *lights;    /* a struct sky_block */
-    const struct texture *direct;   /* direct light of all other lights, as pass->light */
-    const struct texture *specular; /* specular light of all other lights, as pass->specular */
+    const struct buffer *lights;     /* a struct sky_block */
+    const struct texture *direct;    /* direct light of all other lights, as pass->light */
+    const struct texture *specular;  /* specular light of all other lights, as pass->specular */
+    const struct texture *reflected; /* pass->lobes, blurred; with desc.specular */
 };
 
 /* Renders the camera-independent data of the lights in a struct sky_block. Timer "sky shares". */
 void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
                                              const struct frame *frame,
                                              const struct buffer *lights);
+
+/* With desc.specular: fills pass->lobes, radiance times irradiance_scale. Timer "sky in lobes". */
+void environment_lighting_pass_render_lobes(const struct environment_lighting_pass *pass,
+                                            const struct frame *frame,
+                                            const struct gbuffer *gbuffer,
+                                            const struct buffer *lights);
 
 /* Fills pass->light and pass->specular. Timers "sky blocks" and "environment lighting". */
 void environment_lighting_pass_render(const struct environment_lighting_pass *pass,

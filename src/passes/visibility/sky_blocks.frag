@@ -1,7 +1,7 @@
 // The visibility of four lights of a sky at the centre of each block; of what is below the horizon, 1.
 #include "shared/sky.h"
 
-PASS_BLOCK(environment_lighting_params, 16)
+PASS_BLOCK(environment_lighting_params, 32)
 
 #include "passes/gather/block.glsl"
 #include "passes/visibility/sky_visibility.glsl"

@@ -4,7 +4,7 @@
 #include "lib/sky.glsl"
 #include "shared/sky.h"
 
-PASS_BLOCK(environment_lighting_params, 16)
+PASS_BLOCK(environment_lighting_params, 32)
 
 flat in int instance;
 
