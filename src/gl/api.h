@@ -91,7 +91,7 @@
     /* Draws and dispatches. */                                                                    \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                             \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                           \
-    X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)                                       \
+    X(PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXPROC, DrawElementsInstancedBaseVertex)                   \
     X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)                                                   \
     X(PFNGLDISPATCHCOMPUTEINDIRECTPROC, DispatchComputeIndirect)                                   \
     X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                                                       \
@@ -147,7 +147,7 @@ struct gl_api {
     struct gl_watched { /* gl/context/samplers.c: functions of the driver, in debug contexts */
         PFNGLDRAWARRAYSPROC DrawArrays;
         PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced;
-        PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced;
+        PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXPROC DrawElementsInstancedBaseVertex;
         PFNGLDISPATCHCOMPUTEPROC DispatchCompute;
         PFNGLDISPATCHCOMPUTEINDIRECTPROC DispatchComputeIndirect;
         int *faults;

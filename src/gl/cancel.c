@@ -17,7 +17,7 @@ static _Thread_local struct {
     /* The driver's own, or those that check samplers. */
     PFNGLDRAWARRAYSPROC draw_arrays;
     PFNGLDRAWARRAYSINSTANCEDPROC draw_arrays_instanced;
-    PFNGLDRAWELEMENTSINSTANCEDPROC draw_elements_instanced;
+    PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXPROC draw_elements_instanced;
     PFNGLDISPATCHCOMPUTEPROC dispatch_compute;
     PFNGLDISPATCHCOMPUTEINDIRECTPROC dispatch_compute_indirect;
 } watch;
@@ -64,9 +64,9 @@ static void APIENTRY draw_arrays_instanced(GLenum mode, GLint first, GLsizei cou
 }
 
 static void APIENTRY draw_elements_instanced(GLenum mode, GLsizei count, GLenum type,
-                                             const void *indices, GLsizei instances) {
+                                             const void *indices, GLsizei instances, GLint base) {
     if (is_wanted())
-        watch.draw_elements_instanced(mode, count, type, indices, instances);
+        watch.draw_elements_instanced(mode, count, type, indices, instances, base);
 }
 
 static void APIENTRY dispatch_compute(GLuint x, GLuint y, GLuint z) {
@@ -90,12 +90,12 @@ void cancel_begin(cancel_ask *ask, void *user, double interval) {
     watch.cancelled = false;
     watch.draw_arrays = gl.DrawArrays;
     watch.draw_arrays_instanced = gl.DrawArraysInstanced;
-    watch.draw_elements_instanced = gl.DrawElementsInstanced;
+    watch.draw_elements_instanced = gl.DrawElementsInstancedBaseVertex;
     watch.dispatch_compute = gl.DispatchCompute;
     watch.dispatch_compute_indirect = gl.DispatchComputeIndirect;
     gl.DrawArrays = draw_arrays;
     gl.DrawArraysInstanced = draw_arrays_instanced;
-    gl.DrawElementsInstanced = draw_elements_instanced;
+    gl.DrawElementsInstancedBaseVertex = draw_elements_instanced;
     gl.DispatchCompute = dispatch_compute;
     gl.DispatchComputeIndirect = dispatch_compute_indirect;
     parallel_watch(is_loop_wanted);
@@ -108,7 +108,7 @@ bool cancel_came(void) {
 bool cancel_end(void) {
     gl.DrawArrays = watch.draw_arrays;
     gl.DrawArraysInstanced = watch.draw_arrays_instanced;
-    gl.DrawElementsInstanced = watch.draw_elements_instanced;
+    gl.DrawElementsInstancedBaseVertex = watch.draw_elements_instanced;
     gl.DispatchCompute = watch.dispatch_compute;
     gl.DispatchComputeIndirect = watch.dispatch_compute_indirect;
     watch.ask = NULL;

@@ -60,7 +60,9 @@ static bool init_rows(struct smooth_surfaces *surfaces, const struct geometry *g
         add_vertices(surfaces, geometry, batch, marked);
     }
     bool ok = buffer_init_texels(&surfaces->rows, GL_R32UI, "rows of triangles",
-                                 count * sizeof *rows, rows);
+                                 count * sizeof *rows, rows) &&
+              buffer_init_texels(&surfaces->corners, GL_R32UI, "corners of triangles",
+                                 3 * count * sizeof *geometry->indices, geometry->indices);
     mem_free(rows, marked);
     surfaces->painted = geometry->painted;
     return ok;
@@ -77,7 +79,7 @@ bool smooth_surfaces_init(struct smooth_surfaces *surfaces, const struct scene *
 }
 
 static void free_rows(struct smooth_surfaces *surfaces) {
-    buffer_free(&surfaces->rows);
+    buffers_free(&surfaces->rows, &surfaces->corners);
     free(surfaces->vertices);
     surfaces->vertices = NULL;
     surfaces->vertex_count = 0;
@@ -98,13 +100,20 @@ void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene
         if (!init_materials(surfaces) || !init_rows(surfaces, geometry))
             surfaces->vertex_count = 0;
     }
+    for (int b = 0; b < geometry->batch_count && surfaces->vertex_count > 0; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        if (batch->dynamic)
+            buffer_write(&surfaces->corners, batch->first_index * sizeof *geometry->indices,
+                         batch->index_count * sizeof *geometry->indices,
+                         geometry->indices + batch->first_index);
+    }
     surfaces->gpu = gpu;
 }
 
 void smooth_surfaces_add(const struct smooth_surfaces *surfaces, struct pass_state *state) {
     pass_add_texture(state, UNIT_TRIANGLE_ROWS, surfaces->rows.texels);
     pass_add_texture(state, UNIT_SMOOTH_MATERIALS, surfaces->materials.texels);
-    pass_add_texture(state, UNIT_CORNERS, surfaces->gpu->indices.texels);
+    pass_add_texture(state, UNIT_CORNERS, surfaces->corners.texels);
     pass_add_texture(state, UNIT_CORNER_POSITIONS, surfaces->gpu->positions.texels);
     pass_add_texture(state, UNIT_CORNER_NORMALS, surfaces->gpu->normals.texels);
 }

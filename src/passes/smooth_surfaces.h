@@ -14,7 +14,7 @@ struct smooth_surfaces {
     uint32_t *vertices; /* vertices of smooth triangles in the geometry */
     uint32_t vertex_count;
     unsigned painted; /* value of geometry->painted for `rows` and `materials` */
-    struct buffer rows, materials;
+    struct buffer rows, corners, materials;
     const struct scene_gpu *gpu; /* scene_gpu of the last smooth_surfaces_follow */
 };
 

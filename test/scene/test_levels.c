@@ -58,6 +58,7 @@ TEST(twins) {
     uint32_t before = part->index_count, found = 0;
     uint32_t apart = parts[part[1].part].first_vertex - parts[part[0].part].first_vertex;
     float error = 0;
+    assert_int_equal(part[1].base - part->base, apart);
     assert_true(is_closed(stage.geometry.indices + part->first_index, part->index_count));
     for (int l = 0; l < LEVEL_COUNT; l++) {
         if (isinf(part->error[l]))
@@ -67,9 +68,7 @@ TEST(twins) {
         check_near("error of twin over error", (double)(part[1].error[l] / part->error[l]), 1.5,
                    1e-5);
         assert_int_equal(part[1].count[l], part->count[l]);
-        for (uint32_t k = 0; k < part->count[l]; k++)
-            assert_int_equal(levels.indices[part[1].first[l] + k],
-                             levels.indices[part->first[l] + k] + apart);
+        assert_int_equal(part[1].first[l], part->first[l]);
         before = part->count[l];
         error = part->error[l];
         found++;

@@ -78,9 +78,9 @@ static void APIENTRY draw_arrays_instanced(GLenum mode, GLint first, GLsizei cou
 }
 
 static void APIENTRY draw_elements_instanced(GLenum mode, GLsizei count, GLenum type,
-                                             const void *indices, GLsizei instances) {
+                                             const void *indices, GLsizei instances, GLint base) {
     check_program();
-    gl.watched.DrawElementsInstanced(mode, count, type, indices, instances);
+    gl.watched.DrawElementsInstancedBaseVertex(mode, count, type, indices, instances, base);
 }
 
 static void APIENTRY dispatch_compute(GLuint x, GLuint y, GLuint z) {
@@ -95,11 +95,11 @@ static void APIENTRY dispatch_compute_indirect(GLintptr offset) {
 
 void samplers_watch(struct gl_api *api, int *faults) {
     api->watched = (struct gl_watched){
-        api->DrawArrays,      api->DrawArraysInstanced,     api->DrawElementsInstanced,
+        api->DrawArrays,      api->DrawArraysInstanced,     api->DrawElementsInstancedBaseVertex,
         api->DispatchCompute, api->DispatchComputeIndirect, faults};
     api->DrawArrays = draw_arrays;
     api->DrawArraysInstanced = draw_arrays_instanced;
-    api->DrawElementsInstanced = draw_elements_instanced;
+    api->DrawElementsInstancedBaseVertex = draw_elements_instanced;
     api->DispatchCompute = dispatch_compute;
     api->DispatchComputeIndirect = dispatch_compute_indirect;
 }

@@ -101,7 +101,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .name = "depth maps",
         .program = pass->opaque_programs[CASTER_SHORT],
         .framebuffer = pass->maps.framebuffer,
-        .vertex_array = pass->caster->vertices,
+        .vertex_array = caster_gpu_vertices(pass->caster, frame->scene),
         .width = pass->maps.size,
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,

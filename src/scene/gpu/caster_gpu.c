@@ -2,16 +2,6 @@
 
 #include "base/clock.h"
 #include "base/phases.h"
-#include "gl/vertex_array.h"
-#include "shared/bindings.h"
-
-static bool init_attributes(struct caster_gpu *gpu, const struct geometry *geometry) {
-    size_t count = geometry->vertex_count;
-    return buffer_init(&gpu->positions, "caster positions", count * sizeof *geometry->position,
-                       geometry->position) &&
-           (!caster_gpu_has_masked(gpu) ||
-            buffer_init(&gpu->uvs, "caster uvs", count * sizeof *geometry->uv[0], geometry->uv[0]));
-}
 
 /* Where a list begins in the buffer of indices. */
 static uint32_t first_of(const struct caster *caster, enum caster_kind kind) {
@@ -32,39 +22,21 @@ static bool init_indices(struct caster_gpu *gpu) {
     return true;
 }
 
-static bool init_buffers(struct caster_gpu *gpu, const struct geometry *geometry) {
-    gpu->pose = geometry->pose_count;
-    if (!init_attributes(gpu, geometry) || !init_indices(gpu))
-        return false;
-    gl.CreateVertexArrays(1, &gpu->vertices);
-    vertex_array_attribute(gpu->vertices, ATTRIBUTE_POSITION,
-                           &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
-    if (gpu->uvs.id)
-        vertex_array_attribute(gpu->vertices, ATTRIBUTE_UV,
-                               &(struct vertex_attribute){&gpu->uvs, 2, GL_FLOAT, 8, 0});
-    gl.VertexArrayElementBuffer(gpu->vertices, gpu->indices.id);
-    return true;
-}
-
-static void free_buffers(struct caster_gpu *gpu) {
-    vertex_array_free(&gpu->vertices);
-    buffers_free(&gpu->positions, &gpu->uvs, &gpu->indices);
-}
-
 bool caster_gpu_init(struct caster_gpu *gpu, const struct geometry *geometry,
                      const struct caster_desc *desc) {
     *gpu = (struct caster_gpu){0};
     double start = clock_ms();
     caster_init(&gpu->caster, geometry, desc);
     phase_add(PHASE_SIMPLIFY, start);
-    if (init_buffers(gpu, geometry))
+    gpu->pose = geometry->pose_count;
+    if (init_indices(gpu))
         return true;
     caster_gpu_free(gpu);
     return false;
 }
 
 void caster_gpu_free(struct caster_gpu *gpu) {
-    free_buffers(gpu);
+    buffer_free(&gpu->indices);
     caster_free(&gpu->caster);
     *gpu = (struct caster_gpu){0};
 }
@@ -89,21 +61,15 @@ static void update_indices(struct caster_gpu *gpu, const struct geometry *geomet
 
 bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) {
     unsigned seen = gpu->pose;
+    gpu->pose = geometry->pose_count;
     if (geometry->laid_out > seen) {
         caster_lay_out(&gpu->caster, geometry);
-        free_buffers(gpu);
-        return init_buffers(gpu, geometry);
+        buffer_free(&gpu->indices);
+        return init_indices(gpu);
     }
-    gpu->pose = geometry->pose_count;
     bool rewound = false;
-    size_t size = sizeof *geometry->position;
-    for (int i = 0; i < geometry->part_count; i++) {
-        const struct geometry_part *part = &geometry->parts[i];
-        if (part->moved > seen)
-            buffer_write(&gpu->positions, part->first_vertex * size, part->vertex_count * size,
-                         geometry->position + part->first_vertex);
-        rewound |= part->rewound > seen;
-    }
+    for (int i = 0; i < geometry->part_count; i++)
+        rewound |= geometry->parts[i].rewound > seen;
     if (rewound)
         update_indices(gpu, geometry);
     return true;
@@ -111,12 +77,17 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) 
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
+GLuint caster_gpu_vertices(const struct caster_gpu *gpu, const struct scene_gpu *scene) {
+    gl.VertexArrayElementBuffer(scene->caster_vertices, gpu->indices.id);
+    return scene->caster_vertices;
+}
+
 static void draw(const struct caster_gpu *gpu, const struct caster_draw *what, uint32_t first,
                  uint32_t count) {
     size_t offset = (first_of(&gpu->caster, what->kind) + first) * sizeof(uint32_t);
     if (count)
-        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
-                                 (const void *)offset, what->instances);
+        gl.DrawElementsInstancedBaseVertex(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
+                                           (const void *)offset, what->instances, 0);
 }
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu) {

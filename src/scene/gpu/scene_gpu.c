@@ -233,17 +233,25 @@ static bool upload_uvs(struct scene_gpu *gpu, const struct geometry *geometry) {
     return ok;
 }
 
-static void make_vertex_array(struct scene_gpu *gpu, const struct geometry *geometry) {
-    gl.CreateVertexArrays(1, &gpu->shaded_vertices);
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION,
+static GLuint make_positions_array(const struct scene_gpu *gpu, const struct geometry *geometry,
+                                   int mappings) {
+    GLuint vertices;
+    gl.CreateVertexArrays(1, &vertices);
+    vertex_array_attribute(vertices, ATTRIBUTE_POSITION,
                            &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL,
-                           &(struct vertex_attribute){&gpu->normals, 3, GL_SHORT, 8, 0});
-    for (int m = 0; m < MAPPINGS_MAX; m++)
+    for (int m = 0; m < mappings; m++)
         if (gpu->uvs[m].id)
-            vertex_array_attribute(gpu->shaded_vertices, uv_attributes[m],
+            vertex_array_attribute(vertices, uv_attributes[m],
                                    &(struct vertex_attribute){&gpu->uvs[m], 2, GL_FLOAT,
                                                               geometry->has_uv[m] ? 8 : 0, 0});
+    return vertices;
+}
+
+static void make_vertex_arrays(struct scene_gpu *gpu, const struct geometry *geometry) {
+    gpu->caster_vertices = make_positions_array(gpu, geometry, 1);
+    gpu->shaded_vertices = make_positions_array(gpu, geometry, MAPPINGS_MAX);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL,
+                           &(struct vertex_attribute){&gpu->normals, 3, GL_SHORT, 8, 0});
     vertex_array_attribute(
         gpu->shaded_vertices, ATTRIBUTE_COLOR,
         &(struct vertex_attribute){&gpu->colors, 4, GL_UNSIGNED_SHORT, geometry->color ? 8 : 0, 0});
@@ -257,20 +265,19 @@ static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry)
     gpu->has_masked = geometry->opaque_index_count < geometry->blocking_index_count;
 }
 
-/* Indices of all triangles, and then of the levels' triangles. */
+/* Indices of all triangles, without repeats, and then of the levels' triangles. */
 static bool upload_indices(struct scene_gpu *gpu, const struct geometry *geometry,
                            struct levels *levels) {
     gpu->levels = levels;
-    gpu->first_level_index = geometry->index_count;
-    size_t size = sizeof *geometry->indices, all = geometry->index_count * size;
+    repeats_init(&gpu->repeats, geometry);
+    gpu->first_level_index = geometry->index_count - repeats_missing(&gpu->repeats);
+    size_t size = sizeof *geometry->indices, all = gpu->first_level_index * size;
     size_t more = levels ? levels->index_count * size : 0;
-    if (!buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices", all + more,
-                            more ? NULL : geometry->indices))
+    if (!buffer_init(&gpu->indices, "scene indices", all + more, NULL))
         return false;
-    if (!more)
-        return true;
-    buffer_write(&gpu->indices, 0, all, geometry->indices);
-    buffer_write(&gpu->indices, all, more, levels->indices);
+    repeats_write(&gpu->repeats, geometry, &gpu->indices);
+    if (more)
+        buffer_write(&gpu->indices, all, more, levels->indices);
     return true;
 }
 
@@ -286,18 +293,20 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
         return false;
     if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;
-    make_vertex_array(gpu, geometry);
+    make_vertex_arrays(gpu, geometry);
     culling_init(&gpu->culling, geometry);
     return true;
 }
 
 static void free_geometry(struct scene_gpu *gpu) {
     vertex_array_free(&gpu->shaded_vertices);
+    vertex_array_free(&gpu->caster_vertices);
     buffers_free(&gpu->positions, &gpu->normals);
     for (int m = 0; m < MAPPINGS_MAX; m++)
         buffer_free(&gpu->uvs[m]);
     buffers_free(&gpu->colors, &gpu->indices);
     culling_free(&gpu->culling);
+    repeats_free(&gpu->repeats);
     free(gpu->batches);
     gpu->batches = NULL;
 }
@@ -368,7 +377,8 @@ static void update_vertices(struct scene_gpu *gpu, const struct geometry_part *p
 
 static void update_indices(const struct scene_gpu *gpu, const struct geometry_part *part,
                            const struct geometry *geometry) {
-    buffer_write(&gpu->indices, part->first_index * sizeof *geometry->indices,
+    struct stored stored = repeats_next(&gpu->repeats, part->first_index, UINT32_MAX);
+    buffer_write(&gpu->indices, stored.first * sizeof *geometry->indices,
                  part->index_room * sizeof *geometry->indices,
                  geometry->indices + part->first_index);
 }
@@ -453,14 +463,15 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 enum { PENDING_MOST = 3 << 18 };
 
 /* pending: indices since the last end of drawing. */
-static void draw_elements(uint32_t first, uint32_t count, const struct draw_views *views,
+static void draw_elements(const struct stored *drawn, const struct draw_views *views,
                           uint64_t *pending) {
     uint32_t most = gl.software ? PENDING_MOST : UINT32_MAX;
-    for (uint32_t at = 0, next; at < count; at += next) {
-        next = count - at < most ? count - at : most;
-        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)next, GL_UNSIGNED_INT,
-                                 (const void *)((first + (size_t)at) * sizeof(uint32_t)),
-                                 views->count);
+    for (uint32_t at = 0, next; at < drawn->count; at += next) {
+        next = drawn->count - at < most ? drawn->count - at : most;
+        gl.DrawElementsInstancedBaseVertex(
+            GL_TRIANGLES, (GLsizei)next, GL_UNSIGNED_INT,
+            (const void *)((drawn->first + (size_t)at) * sizeof(uint32_t)), views->count,
+            drawn->base);
         *pending += (uint64_t)next * (uint64_t)views->count;
         if (*pending > most) {
             gl.Finish();
@@ -469,11 +480,19 @@ static void draw_elements(uint32_t first, uint32_t count, const struct draw_view
     }
 }
 
+/* numbered: program that gets the number of each draw's first triangle; 0: none. */
 static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
-                      const struct draw_views *views, uint64_t *pending) {
+                      const struct draw_views *views, GLuint numbered, uint64_t *pending) {
     uint32_t at = first, end = first + count;
-    while (culling_next(&gpu->culling, views, &at, end, &first, &count))
-        draw_elements(first, count, views, pending);
+    while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
+        struct stored stored;
+        for (uint32_t next = first; next < at; next += stored.count) {
+            stored = repeats_next(&gpu->repeats, next, at);
+            if (numbered)
+                gl.ProgramUniform1i(numbered, LOCATION_FIRST_TRIANGLE, (GLint)(next / 3));
+            draw_elements(&stored, views, pending);
+        }
+    }
 }
 
 /* All triangles of what the views have close by, and of each other part its level. */
@@ -490,13 +509,14 @@ static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t 
         int level = culling_level(views, part->box, part->error, LEVEL_COUNT);
         if (level == 0)
             continue;
-        draw_runs(gpu, first, part->first_index - first, views, &pending);
+        draw_runs(gpu, first, part->first_index - first, views, 0, &pending);
         if (level > 0)
-            draw_elements(gpu->first_level_index + part->first[level - 1], part->count[level - 1],
+            draw_elements(&(struct stored){gpu->first_level_index + part->first[level - 1],
+                                           part->count[level - 1], part->base},
                           views, &pending);
         first = part->first_index + part->index_count;
     }
-    draw_runs(gpu, first, end - first, views, &pending);
+    draw_runs(gpu, first, end - first, views, 0, &pending);
 }
 
 /* Least indices of a batch whose views draw separately, each with its own culling and levels.
@@ -551,16 +571,11 @@ void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views 
 
 void scene_gpu_draw_numbered(const struct scene_gpu *gpu, const struct draw_views *views,
                              GLuint program) {
+    uint64_t pending = 0;
     for (int i = 0; i < gpu->batch_count; i++) {
         const struct geometry_batch *batch = &gpu->batches[i];
-        uint32_t at = batch->first_index, end = at + batch->index_count, first, count;
         scene_gpu_bind_material(gpu, batch->material);
-        while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
-            gl.ProgramUniform1i(program, LOCATION_FIRST_TRIANGLE, (GLint)(first / 3));
-            gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
-                                     (const void *)(uintptr_t)(first * sizeof(uint32_t)),
-                                     views->count);
-        }
+        draw_runs(gpu, batch->first_index, batch->index_count, views, program, &pending);
     }
 }
 

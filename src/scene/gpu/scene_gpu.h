@@ -7,6 +7,7 @@
 #include "gl/texture.h"
 #include "scene/gpu/caster_bvh.h"
 #include "scene/gpu/culling.h"
+#include "scene/gpu/repeats.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "scene/mesh/levels.h"
@@ -22,6 +23,7 @@ struct scene_gpu {
     struct texture slides;     /* RGBA16F, one layer each, in its upper left corner; or none */
     struct texture sky;        /* RGB32F, texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all buffers except the last two */
+    GLuint caster_vertices;    /* of positions and the first uvs, for indices of casters */
     const struct scene *scene; /* must outlive the copy */
     struct geometry_batch *batches;
     int batch_count;
@@ -30,6 +32,7 @@ struct scene_gpu {
     struct culling culling;
     struct levels *levels; /* NULL: none; their indices follow all others in `indices` */
     uint32_t first_level_index;
+    struct repeats repeats; /* which of the geometry's indices `indices` lacks */
     struct caster_bvh panes;
     unsigned pose;             /* pose of the geometry at the last upload */
     int16_t (*normal_room)[4]; /* conversion buffer of a part's normals */

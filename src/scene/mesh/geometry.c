@@ -376,6 +376,27 @@ static bool polygonise(struct geometry *geometry, const struct scene *scene, dou
     return outgrown;
 }
 
+/* Parts of fewer triangles have no twins: draws of neighbours stay together. */
+enum { TWIN_TRIANGLES = 1024 };
+
+/* Parts of one mesh and one winding. Rigid ones keep their winding. */
+static void find_twins(struct geometry *geometry, const struct scene *scene) {
+    int(*firsts)[2] = mem_alloc((size_t)scene->mesh_count, sizeof *firsts); /* + 1; 0: none */
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        int *first = &firsts[scene->nodes[part->node].mesh][part->mirrored];
+        part->twin = i;
+        part->has_twin = false;
+        if (!part->rigid || part->index_count < 3 * TWIN_TRIANGLES)
+            continue;
+        if (*first == 0)
+            *first = i - part->primitive + 1;
+        part->twin = *first - 1 + part->primitive;
+        part->has_twin = geometry->parts[part->twin].has_twin = part->twin != i;
+    }
+    free(firsts);
+}
+
 /* Poses the parts that the new pose moves, or all; then the new pose is the present one. */
 static bool pose_parts(struct geometry *geometry, const struct scene *scene, bool all) {
     struct pose before = geometry->pose;
@@ -387,6 +408,8 @@ static bool pose_parts(struct geometry *geometry, const struct scene *scene, boo
             !pose_part(geometry, scene, part, all))
             return false;
     }
+    if (all)
+        find_twins(geometry, scene);
     measure(geometry);
     return true;
 }

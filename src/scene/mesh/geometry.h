@@ -25,7 +25,9 @@ struct geometry_part {
     bool dynamic;                     /* surface of metaballs */
     bool rigid;                       /* neither dynamic, skinned, morphed nor scaled by a clip */
     bool mirrored;                    /* winding of its triangles is swapped */
-    unsigned moved, rewound;          /* pose of the last change of vertices; of indices */
+    int twin;      /* first part with these triangles, by vertices of its own: itself, or before */
+    bool has_twin; /* is one of several such parts */
+    unsigned moved, rewound; /* pose of the last change of vertices; of indices */
     float bounds_min[3], bounds_max[3];
     float farthest; /* greatest distance of a vertex from the geometry's centre, metres */
 };

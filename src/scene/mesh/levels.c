@@ -230,18 +230,31 @@ static void list_parts(struct work *work) {
     qsort(levels->parts, (size_t)levels->part_count, sizeof *levels->parts, compare_parts);
 }
 
-/* Adds its triangles by level. */
+/* Returns its level part with indices, which comes first. */
+static const struct level_part *find_twin(const struct work *work, const struct level_part *part) {
+    const struct geometry_part *parts = work->geometry->parts, *own = &parts[part->part];
+    uint32_t back = own->first_index - parts[own->twin].first_index;
+    struct level_part key = {.first_index = part->first_index - back};
+    return bsearch(&key, work->levels->parts, (size_t)work->levels->part_count, sizeof key,
+                   compare_parts);
+}
+
+/* Adds its triangles by level, or takes those of its twin. */
 static void add_part(const struct work *work, struct level_part *part) {
     const struct geometry_part *own = &work->geometry->parts[part->part];
+    const struct level_part *twin = find_twin(work, part);
     const struct level_shape *shape =
         find_shape(work->levels, geometry_primitive(work->scene, own));
     const uint32_t *from = work->geometry->indices + part->first_index;
     const struct piece *piece = &shape->pieces[part->piece];
     float scale = simplify_scale(work->geometry->pose.worlds[own->node]) * piece->diagonal;
     struct levels *levels = work->levels;
+    part->base = (int32_t)(own->first_vertex - work->geometry->parts[own->twin].first_vertex);
     for (int l = 0; l < LEVEL_COUNT; l++) {
         part->error[l] = piece->has[l] ? level_errors[l] * scale : INFINITY;
-        if (!piece->has[l])
+        part->first[l] = twin->first[l];
+        part->count[l] = twin->count[l];
+        if (!piece->has[l] || twin != part)
             continue;
         part->first[l] = levels->index_count;
         part->count[l] = move_triangles(from, part->index_count, shape->moved[l], own->first_vertex,

@@ -19,6 +19,7 @@ struct level_part {
     int piece;                                       /* of the pieces of its shape */
     uint32_t first_index, index_count;               /* of all its triangles, in the geometry */
     uint32_t first[LEVEL_COUNT], count[LEVEL_COUNT]; /* in struct levels; finest first */
+    int32_t base;                                    /* to be added to these indices */
     float error[LEVEL_COUNT];                        /* metres; INFINITY: no such level */
     float box[2][3];                                 /* lower and upper corner, world, metres */
 };
