@@ -171,7 +171,6 @@ bool light_tracer_render(const struct light_tracer_desc *desc, struct image *ima
     light_film_free(&tracer->film);
     emission_free(&tracer->emission);
     ray_scene_free(&tracer->rays);
-    hit_table_free(&table);
     free(tracer);
     return ok;
 }

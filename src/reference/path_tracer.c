@@ -588,6 +588,5 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
-    hit_table_free(&table);
     return ok;
 }

@@ -134,6 +134,5 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
         image_free(image);
     emission_free(&summation.emission);
     ray_scene_free(&summation.rays);
-    hit_table_free(&table);
     return ok;
 }

@@ -48,7 +48,6 @@ static struct smooth_ray follow(struct world *world, vec3s origin, vec3s directi
         ray = smooth_leave(&rays, &hit, pick);
     }
     ray_scene_free(&rays);
-    hit_table_free(&table);
     return ray;
 }
 

@@ -63,7 +63,6 @@ static void open_rays(struct pane_scene *scene, const struct material *pane, int
 static void close_rays(struct pane_scene *scene) {
     bvh_free(&scene->panes);
     ray_scene_free(&scene->rays);
-    hit_table_free(&scene->table);
     world_free(&scene->world);
 }
 

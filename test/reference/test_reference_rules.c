@@ -158,7 +158,6 @@ TEST(packets) {
     printf("    %d of %d are visible\n", seen, asked);
     assert_true(seen > asked / 4 && seen < asked * 3 / 4);
     ray_scene_free(&rays);
-    hit_table_free(&table);
 }
 
 /* Where a pixel shows two surfaces, and where it is partly empty. */

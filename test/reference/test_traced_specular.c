@@ -151,7 +151,6 @@ TEST(normal_map) {
     check_direction("half", normal_seen(&world, &table, at(0, 1, 0)), at(-.355F, .71F, .15F));
     table.materials = MATERIALS_DIFFUSE;
     check_direction("unread", normal_seen(&world, &table, at(0, 1, 0)), at(0, 1, 0));
-    hit_table_free(&table);
 }
 
 /* --- beside a plain path tracer --------------------------------------------------------------- */
@@ -255,7 +254,6 @@ static struct halves follow_rays(const struct path_tracer_desc *desc, int count)
         }
     }
     ray_scene_free(&rays);
-    hit_table_free(&table);
     return halves;
 }
 
@@ -409,7 +407,6 @@ TEST(light_on_horizon) {
     mem_free(lights.items);
     emission_free(&emission);
     ray_scene_free(&rays);
-    hit_table_free(&table);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -46,7 +46,6 @@ static struct vpl *trace_vpls(struct world *world, int count) {
         vpls[i] = trace_vpl(world, &emission, &rays, i, count);
     emission_free(&emission);
     ray_scene_free(&rays);
-    hit_table_free(&table);
     return vpls;
 }
 

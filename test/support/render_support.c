@@ -192,7 +192,6 @@ void open_rays(struct rays *rays, const struct stage *stage) {
 
 void close_rays(struct rays *rays) {
     ray_scene_free(&rays->scene);
-    hit_table_free(&rays->table);
 }
 
 static void choose(struct renderer_desc *desc, const char *technique, const char *settings) {

@@ -122,9 +122,10 @@ static struct pair pair_through(const struct rays *rays, const struct stage *sta
     struct triangle_point point = {geometry->opaque_index_count / 3 + number % count_masked(stage),
                                    turned ? 1 - u : u, turned ? 1 - v : v};
     /* Alpha that varies blends by chance in the path tracer, and is a mask here. */
-    if (stage->scene.materials[rays->table.material_of[point.triangle]].blends)
+    if (hit_material(&rays->table, point.triangle)->blends)
         return pair_through(rays, stage, number + 1);
-    vec3s at = hit_position(&rays->table, &point), normal = rays->table.normal_of[point.triangle];
+    vec3s at = hit_position(&rays->table, &point),
+          normal = hit_winding_normal(&rays->table, point.triangle);
     vec3s from = glms_vec3_muladds(normal, 5 * rays->scene.clearance, at);
     vec3s to = glms_vec3_muladds(normal, -5 * rays->scene.clearance, at);
     return (struct pair){.from = {from.x, from.y, from.z}, .to = {to.x, to.y, to.z}};

@@ -3,8 +3,6 @@
 #include "reference/vector.h"
 #include "scene/mesh/corners.h"
 
-#include "base/memory.h"
-
 #include <math.h>
 
 static struct corners find_corners(const struct hit_table *table,
@@ -14,10 +12,9 @@ static struct corners find_corners(const struct hit_table *table,
                             {1 - point->u - point->v, point->u, point->v}};
 }
 
-/* Counter-clockwise as seen from the front. */
-static vec3s winding_normal(const struct geometry *geometry, const uint32_t index[3]) {
+vec3s hit_winding_normal(const struct hit_table *table, uint32_t triangle) {
     vec3s edges[2];
-    corners_edges(geometry, index, edges);
+    corners_edges(table->geometry, &table->geometry->indices[3 * (size_t)triangle], edges);
     return vec3s_unit_cross(edges[0], edges[1]);
 }
 
@@ -99,30 +96,30 @@ static struct brdf reflection_at(const struct hit_table *table, const struct mat
     return brdf_of(material, color, &at);
 }
 
-static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {
-    return &table->scene->materials[table->material_of[triangle]];
+const struct material *hit_material(const struct hit_table *table, uint32_t triangle) {
+    const struct geometry *geometry = table->geometry;
+    int low = 0, high = geometry->batch_count - 1;
+    while (low < high) {
+        int middle = (low + high + 1) / 2;
+        if (geometry->batches[middle].first_index <= 3 * triangle)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return &table->scene->materials[geometry->batches[low].material];
 }
 
 void hit_table_init(struct hit_table *table, const struct scene *scene,
                     const struct geometry *geometry, enum materials materials) {
-    size_t triangle_count = geometry->index_count / 3;
     *table = (struct hit_table){
         .scene = scene,
         .geometry = geometry,
         .materials = materials,
-        .material_of = mem_alloc(triangle_count, sizeof *table->material_of),
-        .normal_of = mem_alloc(triangle_count, sizeof *table->normal_of),
     };
     texture_decode_table(table->srgb_to_linear);
-    for (size_t i = 0; i < triangle_count; i++)
-        table->normal_of[i] = winding_normal(geometry, &geometry->indices[3 * i]);
-    for (int b = 0; b < geometry->batch_count; b++) {
-        const struct geometry_batch *batch = &geometry->batches[b];
+    for (int b = 0; b < geometry->batch_count && materials == MATERIALS_FULL; b++)
         table->has_specular |=
-            materials == MATERIALS_FULL && !material_is_diffuse(&scene->materials[batch->material]);
-        for (uint32_t i = 0; i < batch->index_count / 3; i++)
-            table->material_of[batch->first_index / 3 + i] = batch->material;
-    }
+            !material_is_diffuse(&scene->materials[geometry->batches[b].material]);
 }
 
 bool hit_table_find_smooth(struct hit_table *table) {
@@ -147,17 +144,12 @@ static bool has_two_sides(const struct hit_table *table, const struct material *
     return material->double_sided || (is_pane(table, material) && material->transmission > 0);
 }
 
-void hit_table_free(struct hit_table *table) {
-    mem_free(table->material_of, table->normal_of);
-    *table = (struct hit_table){0};
-}
-
 void hit_at(const struct hit_table *table, const struct triangle_point *point, vec3s ray_direction,
             struct hit *hit) {
     const struct geometry *geometry = table->geometry;
-    const struct material *material = material_of(table, point->triangle);
+    const struct material *material = hit_material(table, point->triangle);
     struct corners corners = find_corners(table, point);
-    vec3s front = table->normal_of[point->triangle];
+    vec3s front = hit_winding_normal(table, point->triangle);
     bool from_behind = glms_vec3_dot(front, ray_direction) > 0;
     float side = from_behind ? -1 : 1;
     hit->position = corners_vector(&corners, geometry->position);
@@ -199,30 +191,30 @@ vec3s hit_emission(const struct hit_table *table, const struct triangle_point *p
     struct corners corners = find_corners(table, point);
     return hit_is_hole(table, point)
                ? glms_vec3_zero()
-               : emission_at(table, material_of(table, point->triangle), &corners);
+               : emission_at(table, hit_material(table, point->triangle), &corners);
 }
 
 bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point) {
-    const struct material *material = material_of(table, point->triangle);
+    const struct material *material = hit_material(table, point->triangle);
     struct corners corners = find_corners(table, point);
     return material->alpha_mask && !material->blends &&
            material_is_hole(material, base_color(table, material, &corners).a);
 }
 
 bool hit_is_pane(const struct hit_table *table, uint32_t triangle) {
-    return is_pane(table, material_of(table, triangle));
+    return is_pane(table, hit_material(table, triangle));
 }
 
 struct passing hit_passing(const struct hit_table *table, const struct triangle_point *point,
                            vec3s ray_direction) {
     struct corners corners = find_corners(table, point);
-    const struct material *material = material_of(table, point->triangle);
-    float cosine = fabsf(glms_vec3_dot(table->normal_of[point->triangle], ray_direction));
+    const struct material *material = hit_material(table, point->triangle);
+    float cosine = fabsf(glms_vec3_dot(hit_winding_normal(table, point->triangle), ray_direction));
     return material_passing(material, base_color(table, material, &corners), cosine);
 }
 
 bool hit_is_hidden(const struct hit_table *table, uint32_t triangle, vec3s ray_direction) {
-    const struct material *material = material_of(table, triangle);
+    const struct material *material = hit_material(table, triangle);
     return !has_two_sides(table, material) && !is_smooth(table, material, true) &&
-           glms_vec3_dot(table->normal_of[triangle], ray_direction) > 0;
+           glms_vec3_dot(hit_winding_normal(table, triangle), ray_direction) > 0;
 }

@@ -42,9 +42,6 @@ struct hit_table {
     enum materials materials;
     bool has_specular; /* some surface is not Lambertian */
     bool has_smooth;   /* some surface is glass or a mirror, and hits report it */
-    int *material_of;  /* material of each triangle */
-    /* Geometric normal of each triangle, unit, by the winding; zero without area. */
-    vec3s *normal_of;
     float srgb_to_linear[256];
 };
 
@@ -55,8 +52,10 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
  * Both sides of glass are visible. False: the scene has neither, or all surfaces are Lambertian. */
 bool hit_table_find_smooth(struct hit_table *table);
 
-/* Accepts a zeroed object. */
-void hit_table_free(struct hit_table *table);
+const struct material *hit_material(const struct hit_table *table, uint32_t triangle);
+
+/* Returns the geometric normal, unit, by the winding; zero without area. */
+vec3s hit_winding_normal(const struct hit_table *table, uint32_t triangle);
 
 /* Computes the surface for a ray in `ray_direction`. */
 void hit_at(const struct hit_table *table, const struct triangle_point *point, vec3s ray_direction,

@@ -1,10 +1,13 @@
 #include "reference/scene/ray_scene.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "reference/sampler.h"
 #include "reference/scene/embree.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A ray passes so many panes at most. */
@@ -17,6 +20,7 @@ static const float EDGE = 1e-6F;
 struct ray_context {
     embree_context embree;
     const struct ray_scene *rays;
+    vec3s direction;             /* of a ray that is no packet; Embree turns it for instances */
     vec3s *passes;               /* of shadow rays, by their ids: what panes let pass */
     bool over_chance;            /* over the chance that other rays go on past each */
     uint32_t passed[PANES_MOST]; /* panes, of other rays */
@@ -24,13 +28,12 @@ struct ray_context {
     float edge_at[4]; /* by ids: where a ray last passed a pane's edge, which two triangles share */
 };
 
-/* Embree numbers the triangles of each of its geometries from 0; masked ones and panes follow. */
-enum { GEOMETRY_OPAQUE, GEOMETRY_MASKED };
-
+/* Embree numbers the triangles of each piece from 0. */
 static struct triangle_point point_of(const struct ray_scene *rays, const struct RTCHit *hit) {
-    uint32_t first =
-        hit->geomID == GEOMETRY_MASKED ? rays->table->geometry->opaque_index_count / 3 : 0;
-    return (struct triangle_point){first + hit->primID, hit->u, hit->v};
+    bool placed = hit->instID[0] != RTC_INVALID_GEOMETRY_ID;
+    const struct ray_piece *piece = &rays->pieces[placed ? hit->instID[0] : hit->geomID];
+    return piece->mirrored ? (struct triangle_point){piece->first + hit->primID, hit->v, hit->u}
+                           : (struct triangle_point){piece->first + hit->primID, hit->u, hit->v};
 }
 
 /* The i-th ray of a packet, as the hit below. */
@@ -79,7 +82,8 @@ static struct RTCHit hit_of_packet(const struct RTCHitN *packet, unsigned count,
     return (struct RTCHit){.u = numbers[3 * count + i],
                            .v = numbers[4 * count + i],
                            .primID = ids[5 * count + i],
-                           .geomID = ids[6 * count + i]};
+                           .geomID = ids[6 * count + i],
+                           .instID = {ids[7 * count + i]}};
 }
 
 static void let_pass_holes_and_panes(const struct RTCFilterFunctionNArguments *arguments) {
@@ -100,29 +104,136 @@ static void let_pass_holes_and_panes(const struct RTCFilterFunctionNArguments *a
 
 /* The camera's rays are single ones. */
 static void let_pass_hidden(const struct RTCFilterFunctionNArguments *arguments) {
-    const struct ray_scene *rays = ((const struct ray_context *)arguments->context)->rays;
-    const struct RTCRay *ray = (const struct RTCRay *)arguments->ray;
-    struct triangle_point point = point_of(rays, (const struct RTCHit *)arguments->hit);
-    vec3s direction = {{ray->dir_x, ray->dir_y, ray->dir_z}};
-    if (hit_is_hidden(rays->table, point.triangle, direction))
+    const struct ray_context *context = (const struct ray_context *)arguments->context;
+    struct triangle_point point = point_of(context->rays, (const struct RTCHit *)arguments->hit);
+    if (hit_is_hidden(context->rays->table, point.triangle, context->direction))
         arguments->valid[0] = 0;
 }
 
-static void attach_triangles(struct ray_scene *rays, unsigned id, uint32_t first_index,
-                             uint32_t index_count, RTCFilterFunctionN filter) {
-    const struct geometry *geometry = rays->table->geometry;
+/* --- building --------------------------------------------------------------------------------- */
+
+static void attach(struct ray_scene *rays, RTCScene scene, RTCGeometry geometry) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, scene == rays->scene ? (unsigned)rays->piece_count : 0);
+    rtcReleaseGeometry(geometry);
+}
+
+static void add_piece(struct ray_scene *rays, RTCGeometry geometry, uint32_t first, bool mirrored) {
+    attach(rays, rays->scene, geometry);
+    rays->pieces[rays->piece_count++] = (struct ray_piece){first, mirrored};
+}
+
+static RTCGeometry new_triangles(const struct ray_scene *rays, const uint32_t *indices,
+                                 uint32_t first_index, uint32_t index_count, bool is_opaque) {
+    RTCFilterFunctionN filter = is_opaque ? NULL : let_pass_holes_and_panes;
     RTCGeometry triangles = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices,
+                               (size_t)first_index * sizeof *indices, 3 * sizeof *indices,
+                               index_count / 3);
+    rtcSetGeometryIntersectFilterFunction(triangles, filter);
+    rtcSetGeometryOccludedFilterFunction(triangles, filter);
+    return triangles;
+}
+
+/* Triangles in world space. */
+static void add_range(struct ray_scene *rays, uint32_t first, uint32_t end) {
+    const struct geometry *geometry = rays->table->geometry;
+    uint32_t opaque = geometry->opaque_index_count;
+    if (first < opaque && opaque < end) {
+        add_range(rays, first, opaque);
+        first = opaque;
+    }
+    if (first >= end)
+        return;
+    RTCGeometry triangles =
+        new_triangles(rays, geometry->indices, first, end - first, first < opaque);
     rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                geometry->position, 0, sizeof *geometry->position,
                                geometry->vertex_count);
-    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               geometry->indices, (size_t)first_index * sizeof *geometry->indices,
-                               3 * sizeof *geometry->indices, index_count / 3);
-    rtcSetGeometryIntersectFilterFunction(triangles, filter);
-    rtcSetGeometryOccludedFilterFunction(triangles, filter);
-    rtcCommitGeometry(triangles);
-    rtcAttachGeometryByID(rays->scene, triangles, id);
-    rtcReleaseGeometry(triangles);
+    add_piece(rays, triangles, first / 3, false);
+}
+
+static RTCScene new_scene(const struct ray_scene *rays) {
+    RTCScene scene = rtcNewScene(rays->device);
+    /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
+     * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of
+     * the time. */
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
+    return scene;
+}
+
+/* In the mesh's own space. */
+static RTCScene scene_of_primitive(struct ray_scene *rays, const struct primitive *primitive,
+                                   bool is_opaque) {
+    size_t size = sizeof *primitive->position, count = (size_t)primitive->vertex_count;
+    RTCScene scene = new_scene(rays);
+    RTCGeometry triangles =
+        new_triangles(rays, primitive->indices, 0, (uint32_t)primitive->index_count, is_opaque);
+    void *positions = rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0,
+                                              RTC_FORMAT_FLOAT3, size, count);
+    if (positions)
+        memcpy(positions, primitive->position, size * count);
+    attach(rays, scene, triangles);
+    rtcCommitScene(scene);
+    return scene;
+}
+
+static void add_instance(struct ray_scene *rays, const struct geometry_part *part,
+                         RTCScene *scene) {
+    const struct geometry *geometry = rays->table->geometry;
+    if (!*scene)
+        *scene = scene_of_primitive(rays, geometry_primitive(rays->table->scene, part),
+                                    part->first_index < geometry->opaque_index_count);
+    RTCGeometry instance = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, *scene);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            geometry->pose.worlds[part->node]);
+    add_piece(rays, instance, part->first_index / 3, part->mirrored);
+}
+
+/* Whether the node's matrix can be inverted. */
+static bool is_invertible(const float world[16]) {
+    mat4 matrix;
+    memcpy(matrix, world, sizeof matrix);
+    float sizes = glm_vec3_norm(matrix[0]) * glm_vec3_norm(matrix[1]) * glm_vec3_norm(matrix[2]);
+    return fabsf(glm_mat4_det(matrix)) > 1e-4F * sizes;
+}
+
+static bool is_instance(const struct geometry *geometry, const struct geometry_part *part) {
+    return part->has_twin && geometry->pose.shown[part->node] &&
+           !geometry_part_is_pane(geometry, part) &&
+           is_invertible(geometry->pose.worlds[part->node]);
+}
+
+static int compare_parts(const void *a, const void *b) {
+    uint32_t x = (*(const struct geometry_part *const *)a)->first_index;
+    uint32_t y = (*(const struct geometry_part *const *)b)->first_index;
+    return (x > y) - (x < y);
+}
+
+/* Instances, and the ranges of triangles between them. */
+static void add_pieces(struct ray_scene *rays) {
+    const struct geometry *geometry = rays->table->geometry;
+    size_t parts = (size_t)geometry->part_count, count = 0;
+    const struct geometry_part **instances = mem_alloc(parts, sizeof *instances);
+    RTCScene *scenes = mem_alloc(parts, sizeof *scenes);
+    uint32_t first = 0;
+    for (size_t i = 0; i < parts; i++)
+        if (is_instance(geometry, &geometry->parts[i]))
+            instances[count++] = &geometry->parts[i];
+    qsort(instances, count, sizeof(struct geometry_part *), compare_parts);
+    rays->pieces = mem_alloc(2 * count + 2, sizeof *rays->pieces);
+    for (size_t i = 0; i < count; i++) {
+        add_range(rays, first, instances[i]->first_index);
+        add_instance(rays, instances[i], &scenes[instances[i]->twin]);
+        first = instances[i]->first_index + instances[i]->index_count;
+    }
+    add_range(rays, first, geometry->index_count);
+    for (size_t i = 0; i < parts; i++)
+        if (scenes[i])
+            rtcReleaseScene(scenes[i]);
+    free(instances);
+    free(scenes);
 }
 
 static const char *error_text(enum RTCError code) {
@@ -147,18 +258,10 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     };
     if (!rays->device)
         return error_set("cannot start Embree: %s", error_text(rtcGetDeviceError(NULL)));
-    rays->scene = rtcNewScene(rays->device);
-    /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
-     * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of
-     * the time. */
-    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
     for (int b = 0; b < geometry->batch_count; b++)
         rays->has_panes |= hit_is_pane(table, geometry->batches[b].first_index / 3);
-    uint32_t opaque = geometry->opaque_index_count, masked = geometry->index_count - opaque;
-    if (opaque > 0)
-        attach_triangles(rays, GEOMETRY_OPAQUE, 0, opaque, NULL);
-    if (masked > 0)
-        attach_triangles(rays, GEOMETRY_MASKED, opaque, masked, let_pass_holes_and_panes);
+    rays->scene = new_scene(rays);
+    add_pieces(rays);
     rtcCommitScene(rays->scene);
     enum RTCError code = rtcGetDeviceError(rays->device);
     if (code == RTC_ERROR_NONE)
@@ -172,6 +275,7 @@ void ray_scene_free(struct ray_scene *rays) {
         rtcReleaseScene(rays->scene);
     if (rays->device)
         rtcReleaseDevice(rays->device);
+    free(rays->pieces);
     *rays = (struct ray_scene){0};
 }
 
@@ -218,7 +322,7 @@ struct way {
 
 static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilterFunctionN filter,
                   struct hit *hit) {
-    struct ray_context context = {.rays = rays};
+    struct ray_context context = {.rays = rays, .direction = way->direction};
     struct RTCRayHit query = {.ray = make_ray(way->origin, way->direction, way->ends[1]),
                               .hit.geomID = RTC_INVALID_GEOMETRY_ID};
     vec3s share = glms_vec3_one();
@@ -227,8 +331,9 @@ static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilter
     bool hits = false;
     for (int more = 1; more && context.passed_count < PANES_MOST;) {
         embree_intersect(rays->scene, &context.embree, filter, &query);
-        struct triangle_point point = point_of(rays, &query.hit);
         hits = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        struct triangle_point point =
+            hits ? point_of(rays, &query.hit) : (struct triangle_point){0};
         more = hits && rays->has_panes && hit_is_pane(rays->table, point.triangle) &&
                goes_on(rays, &point, way->direction, &chance, &share);
         if (more) {
@@ -258,9 +363,9 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 }
 
 static vec3s open_to(const struct ray_scene *rays, RTCFilterFunctionN filter, struct RTCRay *ray) {
-    struct ray_context context = {.rays = rays};
     vec3s passes = glms_vec3_one();
-    context.passes = &passes;
+    struct ray_context context = {
+        .rays = rays, .direction = {{ray->dir_x, ray->dir_y, ray->dir_z}}, .passes = &passes};
     embree_occluded(rays->scene, &context.embree, filter, ray);
     return ray->tfar >= 0 ? passes : glms_vec3_zero();
 }

@@ -8,6 +8,13 @@
 
 #include "reference/scene/hit.h"
 
+/* Consecutive triangles of the geometry: a range of them, or a part that is an instance of its
+ * mesh, with one copy in the mesh's own space for all nodes. */
+struct ray_piece {
+    uint32_t first;
+    bool mirrored; /* the instance's winding differs from the mesh's */
+};
+
 struct ray_scene {
     const struct hit_table *table;
     /* Offset of ray origins above surfaces and of ray ends, metres: about 100 times the rounding
@@ -16,6 +23,8 @@ struct ray_scene {
     bool has_panes;
     struct RTCDeviceTy *device;
     struct RTCSceneTy *scene;
+    struct ray_piece *pieces; /* by Embree's number */
+    int piece_count;
 };
 
 /* Builds the acceleration structure on all cores. It refers to the table and to its geometry's

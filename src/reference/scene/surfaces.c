@@ -28,7 +28,7 @@ static float brightness(vec3s radiance) {
 }
 
 static double mean_radiance(const struct hit_table *table, uint32_t triangle) {
-    const struct material *material = &table->scene->materials[table->material_of[triangle]];
+    const struct material *material = hit_material(table, triangle);
     double full = (double)brightness(vector_of(material->emission)), sum = 0;
     if (material->emission_texture < 0 && !material->alpha_mask)
         return full;
@@ -48,7 +48,7 @@ static double area_of(const struct hit_table *table, uint32_t triangle) {
 
 static void add_triangle(struct surfaces *surfaces, uint32_t triangle, double *powers) {
     const struct hit_table *table = surfaces->table;
-    const struct material *material = &table->scene->materials[table->material_of[triangle]];
+    const struct material *material = hit_material(table, triangle);
     double area = area_of(table, triangle), power = area * mean_radiance(table, triangle);
     if (!(power > 0))
         return;
@@ -140,7 +140,7 @@ static struct emitter piece_of(const struct surfaces *surfaces, int n, float acr
     const struct surface_triangle *picked = &surfaces->list[n];
     struct triangle_point point = point_in(picked->triangle, across, along);
     struct emitter piece = {.type = EMITTER_AREA};
-    vec3s normal = surfaces->table->normal_of[picked->triangle];
+    vec3s normal = hit_winding_normal(surfaces->table, picked->triangle);
     vec3s position = hit_position(surfaces->table, &point);
     vec3s radiance = hit_emission(surfaces->table, &point);
     glm_vec3_scale(normal.raw, picked->back ? -1 : 1, piece.direction);
@@ -191,7 +191,7 @@ bool surfaces_densities(const struct surfaces *surfaces, const struct hit *from,
     const struct hit_table *table = surfaces->table;
     if (first < 0)
         return false;
-    bool is_double = table->scene->materials[table->material_of[hit->triangle]].double_sided;
+    bool is_double = hit_material(table, hit->triangle)->double_sided;
     if (hit->is_back && !is_double)
         return false;
     int n = first + (hit->is_back ? 1 : 0);
