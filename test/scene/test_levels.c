@@ -47,6 +47,21 @@ static bool is_closed(const uint32_t *indices, uint32_t count) {
     return sum == 0;
 }
 
+/* A long strip of triangles without area ends, though its triangles can go from its ends alone. */
+TEST(chain) {
+    enum { COUNT = 1 << 20 };
+    static float position[COUNT + 2][3];
+    static uint32_t indices[COUNT][3], moved[COUNT + 2];
+    for (uint32_t v = 0; v < COUNT + 2; v++)
+        memcpy(position[v], (float[3]){(float)v * 1e-4F, 0, 0}, sizeof position[v]);
+    for (uint32_t t = 0; t < COUNT; t++)
+        memcpy(indices[t], (uint32_t[3]){t, t + 1, t + 2}, sizeof indices[t]);
+    simplify_mesh(&(struct simplify_mesh){position, *indices, NULL, COUNT + 2, 3 * COUNT, NULL},
+                  &(struct simplify_desc){.error = 1}, moved);
+    for (uint32_t v = 0; v < COUNT + 2; v++)
+        assert_true(moved[v] < COUNT + 2 && moved[moved[v]] == moved[v]);
+}
+
 /* Each level has fewer triangles and a larger error than the one before. It is closed, as the
  * animal is. The larger instance has the same triangles, with errors 1.5 times as large. */
 TEST(twins) {

@@ -31,6 +31,10 @@ static const float advance = 0.5F;
 /* Of collapses that cost alike, short edges go first, which keeps triangles round. */
 static const float length_weight = 0.01F;
 
+/* Passes over a mesh. Meshes take up to 40; a chain that shrinks only from its ends would take one
+ * for each of its triangles. */
+enum { PASSES_MAX = 128 };
+
 /* A vertex with more neighbours stays. */
 enum { RING_MAX = 64 };
 
@@ -225,8 +229,8 @@ static bool like_normals(const struct patch *patch, uint32_t a, uint32_t b) {
            glm_vec3_dot(patch->normal[a], patch->normal[b]) >= least_normal_cosine;
 }
 
-/* What comes first; INFINITY: it strays too far. In sum, so that what stands for little goes first.
- */
+/* Returns the cost of a collapse; INFINITY if the vertex would move too far. The square root of the
+ * quadric's weight makes vertices of small surfaces go first. */
 static float order_of(const struct patch *patch, uint32_t from, uint32_t to) {
     const struct quadric *quadric = &patch->quadrics[from];
     float strayed = quadric_distance(quadric, patch->position[to]);
@@ -236,8 +240,8 @@ static float order_of(const struct patch *patch, uint32_t from, uint32_t to) {
                : sqrtf((float)quadric->weight) * (strayed + length_weight * length);
 }
 
-/* Along a border a vertex moves along it alone. The cheapest are tried first: a trial costs more
- * than its order. */
+/* Finds the cheapest collapse of a vertex that is allowed. A border vertex moves only along its
+ * border. The cost is cheap and the test is not, so collapses are tested in order of cost. */
 static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
     struct ring ring;
     float orders[RING_MAX];
@@ -400,8 +404,8 @@ void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc 
     struct patch patch;
     patch_init(&patch, mesh, desc, moved_to);
     struct collapse *list = mem_alloc(mesh->vertex_count, sizeof *list);
-    while (collapse_some(&patch, list))
-        ;
+    for (int pass = 0; pass < PASSES_MAX && collapse_some(&patch, list);)
+        pass++;
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
         while (moved_to[moved_to[v]] != moved_to[v])
             moved_to[v] = moved_to[moved_to[v]];
