@@ -106,6 +106,14 @@ def check_surfaces(device):
         read = manylight.read(path)
         assert all(np.array_equal(read[layer], seen[layer]) and read[layer].dtype == seen[layer].dtype
                    for layer in layers)
+    steps = np.linspace(-1, 1, 401)  # more triangles than software OpenGL draws at once
+    x, z = (axis.ravel() for axis in np.meshgrid(steps, steps))
+    corner = np.arange(400 * 401).reshape(400, 401)[:, :400].ravel()
+    faces = np.concatenate([corner[:, None] + [0, 401, 1], corner[:, None] + [1, 401, 402]])
+    grid = Scene(meshes=[Mesh(np.stack([x, 0 * x, z], 1), faces)], materials=[Material()], lights=[SUN], cameras=[camera])
+    pairs = [draw(grid, (40, 30), layers="position", **more)["position"]
+             for draw, more in ((device.render, {"vpls": 64}), (manylight.reference, {"samples": 1, "centers": True}))]
+    near("positions of many triangles", pairs[0], pairs[1])
     below = {"camera": Camera(eye=(0, -2, 3), forward=(0, 2, -3), fov_y=.9), "layers": "id.node"}
     assert not device.render(scene, (40, 30), vpls=64, **below)["id.node"].any()  # the back of a single-sided square
     assert not manylight.reference(scene, (40, 30), samples=1, **below)["id.node"].any()

@@ -378,6 +378,8 @@ static void update_vertices(struct scene_gpu *gpu, const struct geometry_part *p
 static void update_indices(const struct scene_gpu *gpu, const struct geometry_part *part,
                            const struct geometry *geometry) {
     struct stored stored = repeats_next(&gpu->repeats, part->first_index, UINT32_MAX);
+    if (stored.base)
+        return; /* flat, so that its winding is rounding alone */
     buffer_write(&gpu->indices, stored.first * sizeof *geometry->indices,
                  part->index_room * sizeof *geometry->indices,
                  geometry->indices + part->first_index);
@@ -462,12 +464,21 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 /* llvmpipe keeps triangles in memory until they are drawn: so many at most. */
 enum { PENDING_MOST = 3 << 18 };
 
+/* What a draw tells its program: the number of the first triangle. program 0: nothing. */
+struct numbers {
+    GLuint program;
+    uint32_t first;
+};
+
 /* pending: indices since the last end of drawing. */
 static void draw_elements(const struct stored *drawn, const struct draw_views *views,
-                          uint64_t *pending) {
+                          struct numbers numbers, uint64_t *pending) {
     uint32_t most = gl.software ? PENDING_MOST : UINT32_MAX;
     for (uint32_t at = 0, next; at < drawn->count; at += next) {
         next = drawn->count - at < most ? drawn->count - at : most;
+        if (numbers.program)
+            gl.ProgramUniform1i(numbers.program, LOCATION_FIRST_TRIANGLE,
+                                (GLint)(numbers.first + at / 3));
         gl.DrawElementsInstancedBaseVertex(
             GL_TRIANGLES, (GLsizei)next, GL_UNSIGNED_INT,
             (const void *)((drawn->first + (size_t)at) * sizeof(uint32_t)), views->count,
@@ -480,7 +491,7 @@ static void draw_elements(const struct stored *drawn, const struct draw_views *v
     }
 }
 
-/* numbered: program that gets the number of each draw's first triangle; 0: none. */
+/* numbered: program that gets numbers; 0: none. */
 static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                       const struct draw_views *views, GLuint numbered, uint64_t *pending) {
     uint32_t at = first, end = first + count;
@@ -488,9 +499,7 @@ static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t coun
         struct stored stored;
         for (uint32_t next = first; next < at; next += stored.count) {
             stored = repeats_next(&gpu->repeats, next, at);
-            if (numbered)
-                gl.ProgramUniform1i(numbered, LOCATION_FIRST_TRIANGLE, (GLint)(next / 3));
-            draw_elements(&stored, views, pending);
+            draw_elements(&stored, views, (struct numbers){numbered, next / 3}, pending);
         }
     }
 }
@@ -513,7 +522,7 @@ static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t 
         if (level > 0)
             draw_elements(&(struct stored){gpu->first_level_index + part->first[level - 1],
                                            part->count[level - 1], part->base},
-                          views, &pending);
+                          views, (struct numbers){0}, &pending);
         first = part->first_index + part->index_count;
     }
     draw_runs(gpu, first, end - first, views, 0, &pending);
