@@ -132,8 +132,11 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     if (lighting->light.desc.specular) {
         inputs.specular = lamps->specular(lighting->lamps_state);
         environment_lighting_pass_render_lobes(&lighting->light, frame, gbuffer, inputs.lights);
-        blur_pass_render(&lighting->blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &lighting->light.lobes});
+        if (frame->pass > 0) /* their mean is unbiased */
+            inputs.reflected = &lighting->light.lobes.texture;
+        else
+            blur_pass_render(&lighting->blur, frame, gbuffer,
+                             &(struct blur_inputs){.source = &lighting->light.lobes});
     }
     environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);
 }
