@@ -98,7 +98,7 @@ void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene
         free_rows(surfaces);
         buffer_free(&surfaces->materials);
         if (!init_materials(surfaces) || !init_rows(surfaces, geometry))
-            surfaces->vertex_count = 0;
+            free_rows(surfaces);
     }
     for (int b = 0; b < geometry->batch_count && surfaces->vertex_count > 0; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];

@@ -235,9 +235,8 @@ static float order_of(const struct patch *patch, uint32_t from, uint32_t to) {
     const struct quadric *quadric = &patch->quadrics[from];
     float strayed = quadric_distance(quadric, patch->position[to]);
     float length = glm_vec3_distance(patch->position[from], patch->position[to]);
-    return strayed > error_at(patch, from)
-               ? INFINITY
-               : sqrtf((float)quadric->weight) * (strayed + length_weight * length);
+    float order = sqrtf((float)quadric->weight) * (strayed + length_weight * length);
+    return strayed <= error_at(patch, from) && order < INFINITY ? order : INFINITY;
 }
 
 /* Finds the cheapest collapse of a vertex that is allowed. A border vertex moves only along its
