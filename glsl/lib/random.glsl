@@ -40,7 +40,8 @@ int take_half(inout float x, float first, float second) {
     return is_first ? 0 : 1;
 }
 
-// Two numbers for each pixel and ray: neighbours' lie far apart, and so do one pixel's. start: of the pass.
+// Returns a 2D low-discrepancy sample for a ray of a pixel. Samples of one pixel, and of neighbouring pixels, are well
+// separated. start: offset of the pass.
 vec2 pixel_sample(ivec2 pixel, vec2 start, int ray) {
     const vec2 STEP = vec2(SPECULAR_STEP_X, SPECULAR_STEP_Y);
     vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));

@@ -76,7 +76,7 @@ struct environment_lighting_params {
     int pass;       /* index of the pass; each has other points of the lights */
     float sky_strength;
     float sky_turn; /* radians */
-    float scale;    /* of the blurred radiance */
+    float scale;    /* of stored specular radiance: irradiance_scale */
     float unused0;
 };
 STD140_SIZE(environment_lighting_params, 32)

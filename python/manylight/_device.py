@@ -221,7 +221,7 @@ class Device:
         size : width and height, pixels; 0: those of the camera, 800 along the longer side
         layers : names of layers and of outputs of the technique (`manylight render --aov`); None: all layers
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
-        light : as `manylight render --light`, for example "0 position=0,2,0"; an unknown name lists the lights
+        light : as `manylight render --light`, for example "0 position=0,2,0"; the error for an unknown name lists all
         time : of the animation, seconds
         motion_step : for "motion.next" and "motion.previous": time between frames, seconds; 0: 1/25
         next_camera, previous_camera : where a `Camera` is in these frames; None: the same

@@ -68,7 +68,7 @@ class Light:
     ----------
     kind : "spot", "point", "directional" or "area"
     position : m
-    direction : of all but points; a spot and an area light shine along it
+    direction : in which the light shines; unused by points
     intensity : RGB in W/sr; directional: W/m2; area: W/sr on its axis, its radiance in W/(sr m2) times its area
     extent : area and spot: width and height, m, or diameter of a disk and 0. Point: diameter of its sphere and 0.
         Directional: angular diameter, radians, and 0

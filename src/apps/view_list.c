@@ -13,7 +13,7 @@ static bool add_line(struct view_list *views, char *line, int number) {
     struct view_line view = {.camera = line, .line = number};
     if (strncmp(line, "time=", 5) == 0) {
         char *end;
-        view.time = (double)strtof(line + 5, &end); /* a float, as of --time: the same bits */
+        view.time = (double)strtof(line + 5, &end); /* rounded as --time is: the same bits */
         if (end == line + 5 || !(view.time >= 0 && view.time <= 1e6) || (*end && *end != ' '))
             return error_set("line %d: '%.20s' wants seconds, as in time=.5", number, line);
         view.camera = end + strspn(end, " ");

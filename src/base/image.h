@@ -15,8 +15,8 @@ struct image_window {
     int x, y, width, height;
 };
 
-/* Metadata written to EXR files; other formats drop it. image_read reads that of this program's
- * files. */
+/* Metadata of EXR files; other formats drop it. image_read keeps the names that this program writes
+ * (is_kept in file/small/exr.c). */
 enum image_attribute_kind {
     IMAGE_TEXT,
     IMAGE_NUMBER,

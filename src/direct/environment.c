@@ -33,8 +33,8 @@ const struct settings_part sky_part = {"sky", "direct light of an environment", 
 /* Pixels along each side of a block that shares its visibility. */
 enum { BLOCK = 4 };
 
-/* Radius of the blur of lobes in pixels, and how far its neighbours lie, over the picture's height
- * at the pixel's depth. */
+/* Blur of lobes: radius in pixels, and the largest distance of a neighbour, over the picture's
+ * height at the pixel's depth. */
 enum { LOBE_BLUR = 4 };
 static const float lobe_distance = .1F;
 

@@ -1,5 +1,6 @@
 /* Adds environment lighting to another method, which draws the lamps: by default 120 area lights
- * with soft shadows [Dong 2011 §5.3.2]. */
+ * with soft shadows [Dong 2011 §5.3.2]. Specular surfaces also trace rays of their lobe (SKY.md).
+ */
 #ifndef DIRECT_ENVIRONMENT_H
 #define DIRECT_ENVIRONMENT_H
 

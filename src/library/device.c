@@ -131,7 +131,7 @@ static bool open_own(void *user) {
                                               .debug = desc->debug != 0,
                                               .embedded = true});
     if (!device->context)
-        return any_hardware && error_prefix("without allow_software");
+        return any_hardware && error_prefix("no hardware (allow_software is off)");
     describe(device);
     return desc->allow_software || !device->info.software || refuse_software(device);
 }

@@ -121,10 +121,10 @@ typedef int manylight_progress(void *user, double done, const char *note);
 
 /* --- devices ---------------------------------------------------------------------------------- */
 
-/* An OpenGL 4.5 core context that the caller made for the library. Calls of an adopted device draw
- * with it; nothing else may change its state. Make one that shares objects with the context you
- * draw with, for example by the last argument of glfwCreateWindow: manylight_display_texture is
- * valid in both, and your own state stays.
+/* An OpenGL 4.5 core context for the library alone. Calls of an adopted device change its state and
+ * do not restore it; the caller must not change it. Create it so that it shares objects with the
+ * context you draw with, for example by the last argument of glfwCreateWindow. Then
+ * manylight_display_texture is valid in both. Let release_current make your context current again.
  *
  * Keep the context alive until the device and its renderers are freed; freeing them makes it
  * current. */
@@ -450,8 +450,8 @@ MANYLIGHT_API enum manylight_status manylight_read_display(struct manylight_rend
                                                            size_t bytes);
 
 /* Returns the OpenGL name of an RGBA8 2D texture with the same picture, sRGB-encoded, row 0 at the
- * bottom, complete for all contexts that share objects. Adopted devices only. The renderer owns it,
- * and its name may change with each call. */
+ * bottom. Waits until the GPU has drawn it. Contexts that share objects may use it after they bind
+ * it again. Adopted devices only. The renderer owns it, and its name may change with each call. */
 MANYLIGHT_API enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
                                                               const char *layer, uint32_t *texture,
                                                               int *width, int *height);

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The last key at or before the time; there is one. Keys are floats: a key at 1/10 s lies a little
- * after the double. */
+/* Returns the last key at or before the time. Compares floats: the float of 1/10 s is a little
+ * above the double, so frame 1/10 s would miss its key. */
 static int key_before(const struct channel *channel, double time) {
     int low = 0, high = channel->key_count;
     while (high - low > 1) {

@@ -30,7 +30,7 @@ static const float reflectance = .5F; /* of surfaces on the way */
 struct search {
     struct surface_rays rays;
     struct emitters emitters;
-    bool stood_in; /* rays that meet lamps count: all emitters stand in, maybe behind walls */
+    bool only_stand_ins; /* all emitters approximate surfaces: rays that meet these count */
     float srgb_to_linear[256];
 };
 
@@ -126,7 +126,7 @@ static float radiance_of(const struct search *search, const struct surface_hit *
         struct surface_hit next;
         if (surface_rays_find(&search->rays, place->position, way, &next))
             sum += (reflectance * direct(search, &next, point) +
-                    (search->stood_in ? emission_at(search, &next) : 0)) /
+                    (search->only_stand_ins ? emission_at(search, &next) : 0)) /
                    BOUNCES;
     }
     return sum;
@@ -199,9 +199,9 @@ static bool has_lamps_alone(const struct emitters *emitters) {
 }
 
 bool scene_is_dark(const struct scene *scene, const struct geometry *geometry) {
-    struct search search = {.emitters = emitters_place(scene, 0), .stood_in = true};
+    struct search search = {.emitters = emitters_place(scene, 0), .only_stand_ins = true};
     for (int i = 0; i < search.emitters.count; i++)
-        search.stood_in = search.stood_in && search.emitters.items[i].stands_in;
+        search.only_stand_ins = search.only_stand_ins && search.emitters.items[i].stands_in;
     bool dark = has_lamps_alone(&search.emitters) && ask(&search, scene, geometry, picture_is_dark);
     emitters_free(&search.emitters);
     return dark;

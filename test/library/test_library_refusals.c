@@ -236,7 +236,8 @@ TEST(devices) {
         assert_false(info.software);
         manylight_device_free(device);
     } else {
-        check_failed(status, MANYLIGHT_NO_DEVICE, "without allow_software: no OpenGL 4.5 core ");
+        check_failed(status, MANYLIGHT_NO_DEVICE,
+                     "no hardware (allow_software is off): no OpenGL 4.5 core ");
         desc.device = "hardware";
         check_words(manylight_device_create(&desc, &device), MANYLIGHT_NO_DEVICE,
                     "% render " BOX " -o @/x.exr --device hardware");

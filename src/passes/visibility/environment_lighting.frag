@@ -18,15 +18,15 @@ layout(location = TARGET_RESULT) out vec4 lit;
 #ifdef HAS_SPECULAR
 #include "lib/lobe.glsl"
 #include "passes/visibility/pixel_spread.glsl"
-#include "passes/visibility/sky_lamps.glsl"
+#include "passes/visibility/sky_sampled_lights.glsl"
 
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
-layout(binding = UNIT_SKY_REFLECTED) uniform sampler2D reflected; // but for lamps (sky_lobes.frag)
+layout(binding = UNIT_SKY_REFLECTED) uniform sampler2D reflected; // by rays (sky_lobes.frag)
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 
-// Of a light that nothing hides, radiance over radiance. By places of a light smaller than the lobe: linearly transformed
-// cosines lack the tails of grazing lobes.
+// Returns the reflected radiance of an unoccluded light of radiance 1. Samples four points of a light that is smaller
+// than the lobe, because linearly transformed cosines lack the tails of grazing lobes.
 vec3 sky_specular(specular_surface s, lobe o, int i) {
     if (sky_is_small(i, s.alpha)) {
         vec3 sum = vec3(0.0);
@@ -115,7 +115,7 @@ void main() {
 #endif
     // Masks and loops over their bits, no branch in the loop over lights: a software rasteriser runs what a branch
     // leaves out for all pixels.
-    uint asked = 0u, shown = 0u; // shown: lamps of whose visibility blocks tell
+    uint asked = 0u, shown = 0u; // asked: to trace rays to; shown: specular, by blocks
     for (int layer = layers.x; layer < min(layers.x + layers.y, count); layer++) {
         vec4 shares = sky_shares(s.normal, layer), apart;
         vec4 visible = visibility_of_blocks(b, layer, apart);
@@ -126,7 +126,7 @@ void main() {
             bool ask = shares[k] * radiance.a * apart[k] > limit;
             asked |= ask ? bit : 0u;
 #ifdef HAS_SPECULAR
-            shown |= !ask && sky_is_lamp(i, wide.alpha) && shares[k] * visible[k] > 0.0 ? bit : 0u;
+            shown |= !ask && sky_is_sampled_light(i, wide.alpha) && shares[k] * visible[k] > 0.0 ? bit : 0u;
 #endif
             sum += ask ? vec3(0.0) : through_medium(radiance.rgb, i, s.position) * (shares[k] * visible[k]);
         }
@@ -137,7 +137,7 @@ void main() {
         seen = through_medium(seen, i, s.position);
         sum += seen * sky_shares(s.normal, i / SKY_LAYER_LIGHTS)[i % SKY_LAYER_LIGHTS];
 #ifdef HAS_SPECULAR
-        shining += sky_is_lamp(i, wide.alpha) ? seen * sky_specular(wide, o, i) : vec3(0.0);
+        shining += sky_is_sampled_light(i, wide.alpha) ? seen * sky_specular(wide, o, i) : vec3(0.0);
 #endif
     }
 #ifdef HAS_SPECULAR

@@ -4,9 +4,9 @@
  * Unoccluded light is exact. Rays start once per block of pixels (block_visibility.h) and at pixels
  * whose blocks disagree. The part of a light below a pixel's horizon does not count.
  *
- * Specular surfaces find the environment by rays of their lobe [Heitz 2018], which the caller
- * blurs, but for lamps (sky_lamps.glsl), whose light and visibility are those of the fit. Cost: 4
- * rays a pixel, 16 on smooth surfaces. */
+ * Specular surfaces sample the environment by rays of their lobe [Heitz 2018]; the caller blurs the
+ * result. Suns and bright lights (sky_sampled_lights.glsl) add their specular light with the
+ * visibility of the fit. Cost: 4 rays a pixel, 16 below a roughness of .25. */
 #ifndef PASSES_ENVIRONMENT_LIGHTING_H
 #define PASSES_ENVIRONMENT_LIGHTING_H
 
@@ -43,7 +43,7 @@ struct environment_lighting_pass {
     struct texture blocks;   /* RGBA8, the same layers */
     struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
     struct texture specular; /* RGBA32F, radiance towards the camera, with desc.specular */
-    struct irradiance lobes; /* what rays of lobes find, with desc.specular */
+    struct irradiance lobes; /* radiance that rays of lobes find; with desc.specular */
     struct buffer params;
 };
 

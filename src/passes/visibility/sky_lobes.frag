@@ -1,6 +1,7 @@
-// What surfaces reflect specularly of a sky, but for its lamps: rays that are sampled by the lobe [Heitz 2018] and meet
-// nothing. Where all rays do, their weights add up to the albedo, so that an open even sky has no noise. Elsewhere the sum
-// is that of a lobe that reflects all: Fresnel's term goes with the sky that is left, and its own sum would be biased.
+// Specular light of an environment, without the lights that light sampling covers (sky_sampled_lights.glsl). Rays are
+// sampled by the lobe [Heitz 2018]; a ray that meets nothing takes the panorama's radiance. If no ray is blocked, the
+// weights are normalised to the lobe's albedo, so a uniform sky has no noise. Otherwise they are normalised by a lobe
+// without Fresnel's term: its weights would be correlated with the visible sky, and the mean would be biased.
 #include "shared/sky.h"
 
 PASS_BLOCK(environment_lighting_params, 32)
@@ -10,25 +11,25 @@ PASS_BLOCK(environment_lighting_params, 32)
 #include "lib/sky.glsl"
 #include "passes/visibility/bvh.glsl"
 #include "passes/visibility/pixel_spread.glsl"
-#include "passes/visibility/sky_lamps.glsl"
+#include "passes/visibility/sky_sampled_lights.glsl"
 
 layout(binding = UNIT_LOBE_SKY) uniform sampler2D panorama;
 
 layout(location = TARGET_RESULT) out vec4 radiance;
 
-bool in_lamp(vec3 direction, float alpha) {
+bool in_sampled_light(vec3 direction, float alpha) {
     bool found = false;
     for (int i = 0; i < max(SUNS, BRIGHT); i++) {
         float least = 1.0;
         for (int c = 0; c < 4; c++)
             least = min(least, dot(cross(sky_corner(i, c), sky_corner(i, (c + 1) & 3)), direction));
-        found = found || (sky_is_lamp(i, alpha) && least >= 0.0);
+        found = found || (sky_is_sampled_light(i, alpha) && least >= 0.0);
     }
     return found;
 }
 
 vec3 sky_along(vec3 origin, vec3 direction, float alpha, inout bool open) {
-    bool blocked = in_lamp(direction, alpha) || bvh_meets_any(bvh_ray_along(origin, direction, BVH_FAR), true);
+    bool blocked = in_sampled_light(direction, alpha) || bvh_meets_any(bvh_ray_along(origin, direction, BVH_FAR), true);
     open = open && !blocked;
     if (blocked)
         return vec3(0.0);

@@ -126,7 +126,7 @@ extern "C" bool gltf_load(struct scene *scene, const char *path, const struct fi
     tell_lacks(loader);
     return true;
 } catch (const std::bad_alloc &) {
-    return error_set_memory("%s: out of memory, while it is read", path);
+    return error_set_memory("%s: out of memory while reading", path);
 } catch (const std::exception &error) {
     /* A JSON library begins with its own name in brackets. */
     const char *bracket = strstr(error.what(), "] ");

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* A part whose indices are its twin's. */
+/* A part that uses the indices of its twin. */
 struct repeat {
     uint32_t first_index, index_count; /* in the geometry */
     uint32_t missing;                  /* indices of repeats before it */
@@ -74,12 +74,12 @@ struct stored repeats_next(const struct repeats *repeats, uint32_t at, uint32_t 
                  : (struct stored){at - repeat->missing, count, 0};
 }
 
-void repeats_write(const struct repeats *repeats, const struct geometry *geometry,
-                   const struct buffer *indices) {
+void repeats_write(const struct repeats *repeats, const struct geometry *geometry, uint32_t first,
+                   uint32_t count, const struct buffer *indices) {
     size_t size = sizeof *geometry->indices;
     struct stored stored;
-    for (uint32_t at = 0; at < geometry->index_count; at += stored.count) {
-        stored = repeats_next(repeats, at, geometry->index_count);
+    for (uint32_t at = first; at < first + count; at += stored.count) {
+        stored = repeats_next(repeats, at, first + count);
         if (!stored.base)
             buffer_write(indices, stored.first * size, stored.count * size, geometry->indices + at);
     }

@@ -275,7 +275,7 @@ static bool upload_indices(struct scene_gpu *gpu, const struct geometry *geometr
     size_t more = levels ? levels->index_count * size : 0;
     if (!buffer_init(&gpu->indices, "scene indices", all + more, NULL))
         return false;
-    repeats_write(&gpu->repeats, geometry, &gpu->indices);
+    repeats_write(&gpu->repeats, geometry, 0, geometry->index_count, &gpu->indices);
     if (more)
         buffer_write(&gpu->indices, all, more, levels->indices);
     return true;
@@ -375,16 +375,6 @@ static void update_vertices(struct scene_gpu *gpu, const struct geometry_part *p
                  gpu->normal_room);
 }
 
-static void update_indices(const struct scene_gpu *gpu, const struct geometry_part *part,
-                           const struct geometry *geometry) {
-    struct stored stored = repeats_next(&gpu->repeats, part->first_index, UINT32_MAX);
-    if (stored.base)
-        return; /* flat, so that its winding is rounding alone */
-    buffer_write(&gpu->indices, stored.first * sizeof *geometry->indices,
-                 part->index_room * sizeof *geometry->indices,
-                 geometry->indices + part->first_index);
-}
-
 /* All but their glow. */
 static void write_materials(const struct scene_gpu *gpu) {
     for (int m = 0; m < gpu->scene->material_count; m++) {
@@ -408,7 +398,8 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
         if (part->moved > seen)
             update_vertices(gpu, part, geometry);
         if (part->rewound > seen)
-            update_indices(gpu, part, geometry);
+            repeats_write(&gpu->repeats, geometry, part->first_index, part->index_room,
+                          &gpu->indices);
         if (part->moved > seen)
             culling_measure(&gpu->culling, geometry, part->first_index, part->index_room);
     }
@@ -464,42 +455,40 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 /* llvmpipe keeps triangles in memory until they are drawn: so many at most. */
 enum { PENDING_MOST = 3 << 18 };
 
-/* What a draw tells its program: the number of the first triangle. program 0: nothing. */
-struct numbers {
-    GLuint program;
-    uint32_t first;
+struct drawing {
+    const struct draw_views *views;
+    GLuint numbered;  /* program that gets the number of each draw's first triangle; 0: none */
+    uint64_t pending; /* indices since the last end of drawing */
 };
 
-/* pending: indices since the last end of drawing. */
-static void draw_elements(const struct stored *drawn, const struct draw_views *views,
-                          struct numbers numbers, uint64_t *pending) {
+/* triangle: number of the first one. */
+static void draw_elements(const struct stored *drawn, uint32_t triangle, struct drawing *drawing) {
     uint32_t most = gl.software ? PENDING_MOST : UINT32_MAX;
+    int views = drawing->views->count;
     for (uint32_t at = 0, next; at < drawn->count; at += next) {
         next = drawn->count - at < most ? drawn->count - at : most;
-        if (numbers.program)
-            gl.ProgramUniform1i(numbers.program, LOCATION_FIRST_TRIANGLE,
-                                (GLint)(numbers.first + at / 3));
+        if (drawing->numbered)
+            gl.ProgramUniform1i(drawing->numbered, LOCATION_FIRST_TRIANGLE,
+                                (GLint)(triangle + at / 3));
         gl.DrawElementsInstancedBaseVertex(
             GL_TRIANGLES, (GLsizei)next, GL_UNSIGNED_INT,
-            (const void *)((drawn->first + (size_t)at) * sizeof(uint32_t)), views->count,
-            drawn->base);
-        *pending += (uint64_t)next * (uint64_t)views->count;
-        if (*pending > most) {
+            (const void *)((drawn->first + (size_t)at) * sizeof(uint32_t)), views, drawn->base);
+        drawing->pending += (uint64_t)next * (uint64_t)views;
+        if (drawing->pending > most) {
             gl.Finish();
-            *pending = 0;
+            drawing->pending = 0;
         }
     }
 }
 
-/* numbered: program that gets numbers; 0: none. */
 static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
-                      const struct draw_views *views, GLuint numbered, uint64_t *pending) {
+                      struct drawing *drawing) {
     uint32_t at = first, end = first + count;
-    while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
+    while (culling_next(&gpu->culling, drawing->views, &at, end, &first, &count)) {
         struct stored stored;
         for (uint32_t next = first; next < at; next += stored.count) {
             stored = repeats_next(&gpu->repeats, next, at);
-            draw_elements(&stored, views, (struct numbers){numbered, next / 3}, pending);
+            draw_elements(&stored, next / 3, drawing);
         }
     }
 }
@@ -508,7 +497,7 @@ static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t coun
 static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                           const struct draw_views *views) {
     uint32_t end = first + count;
-    uint64_t pending = 0;
+    struct drawing drawing = {.views = views};
     for (int i = 0; gpu->levels && i < gpu->levels->part_count; i++) {
         struct level_part *part = &gpu->levels->parts[i];
         if (part->first_index >= end)
@@ -518,14 +507,14 @@ static void draw_together(const struct scene_gpu *gpu, uint32_t first, uint32_t 
         int level = culling_level(views, part->box, part->error, LEVEL_COUNT);
         if (level == 0)
             continue;
-        draw_runs(gpu, first, part->first_index - first, views, 0, &pending);
+        draw_runs(gpu, first, part->first_index - first, &drawing);
         if (level > 0)
             draw_elements(&(struct stored){gpu->first_level_index + part->first[level - 1],
                                            part->count[level - 1], part->base},
-                          views, (struct numbers){0}, &pending);
+                          0, &drawing);
         first = part->first_index + part->index_count;
     }
-    draw_runs(gpu, first, end - first, views, 0, &pending);
+    draw_runs(gpu, first, end - first, &drawing);
 }
 
 /* Least indices of a batch whose views draw separately, each with its own culling and levels.
@@ -580,11 +569,11 @@ void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views 
 
 void scene_gpu_draw_numbered(const struct scene_gpu *gpu, const struct draw_views *views,
                              GLuint program) {
-    uint64_t pending = 0;
+    struct drawing drawing = {.views = views, .numbered = program};
     for (int i = 0; i < gpu->batch_count; i++) {
         const struct geometry_batch *batch = &gpu->batches[i];
         scene_gpu_bind_material(gpu, batch->material);
-        draw_runs(gpu, batch->first_index, batch->index_count, views, program, &pending);
+        draw_runs(gpu, batch->first_index, batch->index_count, &drawing);
     }
 }
 

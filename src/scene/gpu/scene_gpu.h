@@ -22,8 +22,8 @@ struct scene_gpu {
     struct texture lobes, lobe_albedos; /* scene/gpu/lobes.h, if some material is not plain */
     struct texture slides;     /* RGBA16F, one layer each, in its upper left corner; or none */
     struct texture sky;        /* RGB32F, texels of the scene's environment; or none */
-    GLuint shaded_vertices;    /* vertex array of all buffers except the last two */
-    GLuint caster_vertices;    /* of positions and the first uvs, for indices of casters */
+    GLuint shaded_vertices;    /* vertex array: positions, normals, uvs, colours */
+    GLuint caster_vertices;    /* vertex array: positions, first uvs, for casters */
     const struct scene *scene; /* must outlive the copy */
     struct geometry_batch *batches;
     int batch_count;

@@ -376,10 +376,11 @@ static bool polygonise(struct geometry *geometry, const struct scene *scene, dou
     return outgrown;
 }
 
-/* Parts of fewer triangles have no twins: draws of neighbours stay together. */
+/* Smaller parts are not shared, so that one draw can cover neighbouring parts. */
 enum { TWIN_TRIANGLES = 1024 };
 
-/* Parts of one mesh and one winding. Rigid ones keep their winding. */
+/* Finds parts of the same primitive and winding. The winding of a rigid part changes by rounding
+ * alone, where it is flat. */
 static void find_twins(struct geometry *geometry, const struct scene *scene) {
     int(*firsts)[2] = mem_alloc((size_t)scene->mesh_count, sizeof *firsts); /* + 1; 0: none */
     for (int i = 0; i < geometry->part_count; i++) {

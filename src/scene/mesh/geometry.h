@@ -25,8 +25,8 @@ struct geometry_part {
     bool dynamic;                     /* surface of metaballs */
     bool rigid;                       /* neither dynamic, skinned, morphed nor scaled by a clip */
     bool mirrored;                    /* winding of its triangles is swapped */
-    int twin;      /* first part with these triangles, by vertices of its own: itself, or before */
-    bool has_twin; /* is one of several such parts */
+    int twin;      /* first part of the same primitive and winding; itself if it is the first */
+    bool has_twin; /* another part has the same `twin` */
     unsigned moved, rewound; /* pose of the last change of vertices; of indices */
     float bounds_min[3], bounds_max[3];
     float farthest; /* greatest distance of a vertex from the geometry's centre, metres */

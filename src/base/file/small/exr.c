@@ -269,8 +269,7 @@ static bool read_chunk(const struct source *source, struct image *image, const i
     return ok;
 }
 
-/* Attributes of this program's pictures that a picture made of them has, too. Its colours are
- * those of files without chromaticities. */
+/* Whether a picture made of this one has the attribute, too. */
 static bool is_kept(const char *name) {
     static const char *const starts[] = {"manylight:", "cryptomatte/", "worldTo", "software",
                                          "comments"};
