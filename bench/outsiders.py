@@ -267,11 +267,11 @@ def hall(folder, scene):
     pair = [own(f"reference {seed}", "reference", "--spp", 64, "--seed", seed)[0] for seed in (100, 101)]
     reference = np.add(*pair) / 2
 
-    def errors(picture, other=reference):
-        figures = [manylight.compare(picture, other, metric=metric) for metric in ("relative-rmse", "relative-bias", "hdr-flip")]
+    def errors(picture):
+        figures = [manylight.compare(picture, reference, metric=metric) for metric in ("relative-rmse", "relative-bias", "hdr-flip")]
         return f"{100 * figures[0]:.3g} %, {percent(figures[1])}, {figures[2]:.2g}"
-    print(f"| {scene} | noise of the reference | | {errors(pair[0], reference)} | {errors(cycles(512, 1)[0])} at 512 spp | |")
-    start, each = line(4, 64, lambda spp: cycles(spp))
+    print(f"| {scene} | noise of the reference | | {errors(pair[0])} | {errors(cycles(512, 1)[0])} at 512 spp | |")
+    start, each = line(4, 64, cycles)
     own_start, _ = line(1, 4, lambda spp: own(f"{spp} spp", "reference", "--spp", spp))
     for name, command in HALL_METHODS.items():
         for i in range(4 if command[0] == "render" else 1):  # until the shader cache is full
