@@ -363,9 +363,9 @@ static double texel_count(const struct scene *scene) {
 static double emitting_triangles(const struct scene *scene, const struct geometry *geometry) {
     double count = 0;
     for (int i = 0; i < geometry->batch_count; i++) {
-        const float *emission = scene->materials[geometry->batches[i].material].emission;
-        if (emission[0] + emission[1] + emission[2] > 0)
-            count += geometry->batches[i].index_count / 3;
+        const struct geometry_batch *batch = &geometry->batches[i];
+        if (glm_vec3_max((float *)scene->materials[batch->material].emission) > 0)
+            count += batch->index_count / 3;
     }
     return count;
 }
