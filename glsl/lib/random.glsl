@@ -1,5 +1,4 @@
 // Numbers from 0 to 1 for choices: random ones, even ones, and choices that stretch the rest of a number.
-#include "shared/gather.h"
 
 // Two numbers, the same ones for the same three integers [Jarzynski and Olano 2020, pcg3d].
 vec2 random_of(uvec3 seed) {
@@ -43,7 +42,7 @@ int take_half(inout float x, float first, float second) {
 // Returns a 2D low-discrepancy sample for a ray of a pixel. Samples of one pixel, and of neighbouring pixels, are well
 // separated. start: offset of the pass.
 vec2 pixel_sample(ivec2 pixel, vec2 start, int ray) {
-    const vec2 STEP = vec2(SPECULAR_STEP_X, SPECULAR_STEP_Y);
+    const vec2 STEP = vec2(LATTICE_PLASTIC) / 4294967296.0;
     vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
     return fract(fract(shift) + start + float(ray) * STEP);
 }

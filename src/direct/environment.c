@@ -126,17 +126,13 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     struct environment_lighting_inputs inputs = {
         .lights = &lighting->buffer,
         .direct = lamps->light(lighting->lamps_state),
-        .reflected = &lighting->blur.blurred.texture,
     };
     lamps->render_view(lighting->lamps_state, frame, gbuffer);
     if (lighting->light.desc.specular) {
         inputs.specular = lamps->specular(lighting->lamps_state);
         environment_lighting_pass_render_lobes(&lighting->light, frame, gbuffer, inputs.lights);
-        if (frame->pass > 0) /* their mean is unbiased */
-            inputs.reflected = &lighting->light.lobes.texture;
-        else
-            blur_pass_render(&lighting->blur, frame, gbuffer,
-                             &(struct blur_inputs){.source = &lighting->light.lobes});
+        inputs.reflected =
+            &blur_pass_first(&lighting->blur, frame, gbuffer, &lighting->light.lobes)->texture;
     }
     environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);
 }

@@ -7,7 +7,7 @@
 #include "passes/visibility/sampled_direct.h"
 
 /* Neighbours of a pixel, as the blurs of indirect light have them (techniques/many_lights.h). */
-static const float distance = .1F, cosine = .995F, specular_cosine = .966F, narrow_cosine = .996F;
+static const float distance = .1F, cosine = .995F;
 
 struct sampled {
     struct sampled_direct_pass pass;
@@ -27,13 +27,7 @@ static bool init_blurs(struct sampled *sampled, int width, int height) {
                              .radius = SAMPLED_DIRECT_RADIUS,
                              .distance = distance,
                              .cosine = cosine},
-                     specular = blur;
-    specular.cosine = specular_cosine;
-    specular.detail_cosine = narrow_cosine;
-    specular.specular = true;
-    specular.level_radius[0] = .5F;
-    specular.level_radius[1] = SAMPLED_DIRECT_RADIUS;
-    specular.level_weight[0] = specular.level_weight[1] = 1;
+                     specular = blur_desc_specular(width, height, SAMPLED_DIRECT_RADIUS, distance);
     specular.lender = &sampled->blur;
     return blur_pass_init(&sampled->blur, &blur) &&
            (!sampled->pass.desc.specular || blur_pass_init(&sampled->specular_blur, &specular));
@@ -89,16 +83,6 @@ static void render_lights(void *state, const struct frame *frame) {
         sampled->others->render_lights(sampled->others_state, frame);
 }
 
-/* Passes after the first stay as they are: their mean is unbiased. */
-static const struct irradiance *blurred(const struct blur_pass *blur, const struct frame *frame,
-                                        const struct gbuffer *gbuffer,
-                                        const struct irradiance *source) {
-    if (frame->pass > 0)
-        return source;
-    blur_pass_render(blur, frame, gbuffer, &(struct blur_inputs){.source = source});
-    return &blur->blurred;
-}
-
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct sampled *sampled = state;
     const struct direct_method *others = sampled->others;
@@ -107,10 +91,10 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     sampled_direct_pass_render(pass, frame, gbuffer);
     struct sampled_direct_inputs inputs = {
         .direct = others->light(sampled->others_state),
-        .irradiance = blurred(&sampled->blur, frame, gbuffer, &pass->irradiance)};
+        .irradiance = blur_pass_first(&sampled->blur, frame, gbuffer, &pass->irradiance)};
     if (pass->desc.specular) {
         inputs.specular = others->specular(sampled->others_state);
-        inputs.radiance = blurred(&sampled->specular_blur, frame, gbuffer, &pass->radiance);
+        inputs.radiance = blur_pass_first(&sampled->specular_blur, frame, gbuffer, &pass->radiance);
     }
     sampled_direct_pass_add(pass, frame, &inputs);
 }

@@ -203,3 +203,12 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                &pass->blurred);
     timer_end(frame->timers);
 }
+
+const struct irradiance *blur_pass_first(const struct blur_pass *pass, const struct frame *frame,
+                                         const struct gbuffer *gbuffer,
+                                         const struct irradiance *source) {
+    if (frame->pass > 0)
+        return source;
+    blur_pass_render(pass, frame, gbuffer, &(struct blur_inputs){.source = source});
+    return &pass->blurred;
+}

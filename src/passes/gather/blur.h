@@ -61,4 +61,10 @@ void blur_pass_free(struct blur_pass *pass);
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct blur_inputs *inputs);
 
+/* Blurs the first pass of a picture alone and returns the result. Later ones stay as they are:
+ * their mean is unbiased. */
+const struct irradiance *blur_pass_first(const struct blur_pass *pass, const struct frame *frame,
+                                         const struct gbuffer *gbuffer,
+                                         const struct irradiance *source);
+
 #endif
