@@ -17,7 +17,7 @@
 #include "viewer/picture/compare.h"
 #include "viewer/picture/compiling.h"
 #include "viewer/picture/pace.h"
-#include "viewer/reference/chart.h"
+#include "viewer/reference/method_table.h"
 #include "viewer/reference/reference_tracer.h"
 #include "viewer/scene/history.h"
 #include "viewer/scene/light_tool.h"
@@ -147,7 +147,7 @@ struct panel {
     char filter[32];                   /* filter of the settings under Advanced */
     bool was_comparing;                /* when the panel was drawn last */
     bool saves_picture;                /* the button was pressed */
-    bool shows_chart;                  /* scroll to the chart when it is drawn */
+    bool shows_table;                  /* scroll to the table when it is drawn */
     bool edits_right;                  /* edit the settings of the right picture */
     char *places;                      /* as written last; NULL: not yet */
     int places_asked, places_answered; /* counts */
@@ -167,8 +167,8 @@ struct tracing {
     double error;
     int error_frame, error_samples;
 
-    struct chart chart; /* of this view */
-    int chart_samples;  /* samples of the reference of its errors */
+    struct method_table table; /* of this view */
+    int table_samples;         /* samples of the reference of its errors */
 };
 
 /* A scene or a sky that is being opened: viewer/files/opening.c, viewer/scene/sky.c. */

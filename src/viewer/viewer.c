@@ -76,7 +76,7 @@ static void tell_start(struct viewer *viewer) {
 /* Whether all that was asked for is shown; what goes on by itself has no end to wait for. */
 static bool is_settled(struct viewer *viewer) {
     const struct shown *shown = &viewer->shown;
-    if (viewer->wish.play.on || viewer_is_charting(viewer))
+    if (viewer->wish.play.on || viewer_is_measuring(viewer))
         return true;
     bool pending = shown->dirty || shown->recompose || shown->moving || shown->coarse ||
                    shown->awaits || viewer_is_accumulating(viewer);
@@ -134,7 +134,7 @@ static void draw(struct viewer *viewer) {
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
            viewer->shown.coarse || viewer->wish.play.on || viewer_is_scripted(viewer) ||
-           viewer_is_accumulating(viewer) || viewer_is_charting(viewer) || ui_is_opening_field();
+           viewer_is_accumulating(viewer) || viewer_is_measuring(viewer) || ui_is_opening_field();
 }
 
 /* Seconds are shown while a scene is opened. */

@@ -177,9 +177,9 @@ static void trace(int round) {
         viewer_forget_reference(&viewer);
 }
 
-static void chart(int round) {
-    viewer_chart(&viewer);
-    turn_until(viewer.tracing.chart.next > round % 3);
+static void table(int round) {
+    viewer_measure(&viewer);
+    turn_until(viewer.tracing.table.next > round % 3);
     viewer_take_row(&viewer, 0);
     settle();
 }
@@ -271,7 +271,7 @@ TEST(kept) {
     check_kept("outputs", switch_output, 14);
     check_kept("scales of widgets", change_scale, 2);
     check_kept("minimised and back", minimise, 2);
-    check_kept("charts", chart, 3);
+    check_kept("tables", table, 3);
     check_kept("looking closely", look_closely, 6);
     viewer_end(&viewer);
     assert_int_equal(gpu_memory_object_count(), 0);

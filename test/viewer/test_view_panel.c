@@ -39,11 +39,11 @@ TEST(click) {
     end_viewer();
 }
 
-/* In a window of 400 pixels the chart's rows are below the edge until it is asked for. */
-TEST(chart_comes_into_view) {
+/* In a window of 400 pixels the table's rows are below the edge until it is asked for. */
+TEST(table_comes_into_view) {
     begin("--size 100x400");
     press("Quality");
-    press("Chart speed and accuracy");
+    press("Measure speed and accuracy");
     sync_viewer();
     bool shown = false;
     for (int i = 0; i < 200 && !shown; i++) {

@@ -1,4 +1,4 @@
-/* The reference traced in the window, and the chart of speed against accuracy: what they tell is
+/* The reference traced in the window, and the table of speed against accuracy: what they tell is
  * what the path tracer and the renderer tell by themselves. */
 #include "view_inside.h"
 
@@ -84,26 +84,26 @@ TEST(other_view) {
     assert_true(viewer.tracing.has_error);
 }
 
-TEST(chart) {
+TEST(table) {
     need_server();
-    viewer_chart(&viewer);
-    turn_until(!viewer_is_charting(&viewer));
+    viewer_measure(&viewer);
+    turn_until(!viewer_is_measuring(&viewer));
     rest();
-    const struct chart *chart = &viewer.tracing.chart;
-    for (int i = 0; i < chart->count; i++) {
-        const struct chart_row *row = &chart->rows[i];
+    const struct method_table *table = &viewer.tracing.table;
+    for (int i = 0; i < table->count; i++) {
+        const struct method_row *row = &table->rows[i];
         printf("    %-20s %8.1f ms, error %.3f\n", row->name, row->ms, row->error);
         assert_int_equal(row->state, ROW_MEASURED);
         assert_true(row->has_error && row->ms > 0);
         assert_true(row->error < .6);
     }
-    assert_string_equal(chart->rows[chart->count - 1].name, "as it is");
-    check_near("as it is, and as it is shown", chart->rows[chart->count - 1].error,
+    assert_string_equal(table->rows[table->count - 1].name, "as it is");
+    check_near("as it is, and as it is shown", table->rows[table->count - 1].error,
                viewer.tracing.error, .001);
-    int cheapest = chart_cheapest(chart, .2);
+    int cheapest = method_table_cheapest(table, .2);
     assert_true(cheapest >= 0);
-    for (int i = 0; i < chart->count; i++)
-        assert_true(chart->rows[i].error >= .2 || chart->rows[i].ms >= chart->rows[cheapest].ms);
+    for (int i = 0; i < table->count; i++)
+        assert_true(table->rows[i].error >= .2 || table->rows[i].ms >= table->rows[cheapest].ms);
 }
 
 /* What a click on a row makes is what the row measured, bit for bit. */
@@ -114,7 +114,7 @@ TEST(take) {
     rest();
     check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
     check_ok("indirect", layer_extract(&indirect, &frame, "indirect"));
-    assert_true(same_pixels(&indirect, &viewer.tracing.chart.rows[0].indirect));
+    assert_true(same_pixels(&indirect, &viewer.tracing.table.rows[0].indirect));
 }
 
 /* In the midst of all of it. */
@@ -122,7 +122,7 @@ TEST(end) {
     need_server();
     viewer_forget_reference(&viewer);
     rest();
-    viewer_chart(&viewer);
+    viewer_measure(&viewer);
     for (int i = 0; i < 4; i++)
         turn();
     finish_viewer();

@@ -37,13 +37,13 @@ TEST(start) {
     start_empty_viewer(arguments);
     click_on("cornell-box");
     wait_for_scene("cornell-box.glb");
-    wait_for("Chart speed and accuracy");
+    wait_for("Measure speed and accuracy");
     wait_for_picture();
 }
 
 TEST(reference) {
     need_viewer();
-    click_on("Chart speed and accuracy");
+    click_on("Measure speed and accuracy");
     wait_for("Take the cheapest below 5 %");
     int y = HEIGHT / 2;
     xdo("mousemove %d %d mousedown 1 mousemove %d %d mouseup 1", WIDTH / 2, y, WIDTH * 3 / 4, y);

@@ -120,7 +120,7 @@ void panel_draw_compare(struct viewer *viewer) {
     if (viewer->shown.fixed_width > 0 &&
         ui_wide_button(
             "Fill the window again",
-            "the picture has the reference's size; the reference and its chart stay, and "
+            "the picture has the reference's size; the reference and its table stay, and "
             "'reference' above shows them again"))
         viewer_fill_window(viewer);
     /* At once, though the right picture comes later: rows do not move under the mouse. */

@@ -10,7 +10,7 @@
 /* What is good enough, for the button below the rows. */
 static const double wanted_error = .05;
 
-/* --- the chart --- */
+/* --- the table --- */
 
 /* Three digits, and no power of ten; seconds from a thousand on. */
 static void tell_ms(double ms, char *text, size_t size) {
@@ -20,17 +20,17 @@ static void tell_ms(double ms, char *text, size_t size) {
         snprintf(text, size, ms < 100 ? "%.3g ms" : "%.0f ms", ms);
 }
 
-static bool is_present(const struct viewer *viewer, const struct chart_row *row) {
+static bool is_present(const struct viewer *viewer, const struct method_row *row) {
     return row->technique == viewer->wish.technique &&
            renderer_settings_same(&row->settings, &viewer->wish.settings, row->technique->parts);
 }
 
 /* The row that was clicked, or -1. Its name must differ from that of a preset's button. */
 static int draw_rows(struct viewer *viewer) {
-    const struct chart *chart = &viewer->tracing.chart;
-    int clicked = -1, cheapest = chart_cheapest(chart, wanted_error);
-    for (int i = 0; i < chart->count; i++) {
-        const struct chart_row *row = &chart->rows[i];
+    const struct method_table *table = &viewer->tracing.table;
+    int clicked = -1, cheapest = method_table_cheapest(table, wanted_error);
+    for (int i = 0; i < table->count; i++) {
+        const struct method_row *row = &table->rows[i];
         char name[48], ms[24] = "", error[24] = "";
         snprintf(name, sizeof name, "%s##row", row->name);
         if (row->state == ROW_MEASURED)
@@ -43,25 +43,25 @@ static int draw_rows(struct viewer *viewer) {
             row->state == ROW_MEASURED)
             clicked = i;
     }
-    if (cheapest >= 0 && !viewer_is_charting(viewer) &&
-        ui_wide_button("Take the cheapest below 5 %", chart->rows[cheapest].name))
+    if (cheapest >= 0 && !viewer_is_measuring(viewer) &&
+        ui_wide_button("Take the cheapest below 5 %", table->rows[cheapest].name))
         clicked = cheapest;
     return clicked;
 }
 
-static void draw_chart(struct viewer *viewer) {
-    const struct chart *chart = &viewer->tracing.chart;
-    if (chart->count == 0)
+static void draw_table(struct viewer *viewer) {
+    const struct method_table *table = &viewer->tracing.table;
+    if (table->count == 0)
         return;
-    if (viewer->panel.shows_chart)
+    if (viewer->panel.shows_table)
         ui_show_here();
-    viewer->panel.shows_chart = false;
+    viewer->panel.shows_table = false;
     ui_heading("time of a frame, error of indirect light, noise taken out");
-    if (viewer_is_charting(viewer) && viewer->tracing.samples > 0)
-        ui_text(UI_DIM, "measuring %s, %d of %d ...", chart->rows[chart->next].name,
-                chart->next + 1, chart->count);
+    if (viewer_is_measuring(viewer) && viewer->tracing.samples > 0)
+        ui_text(UI_DIM, "measuring %s, %d of %d ...", table->rows[table->next].name,
+                table->next + 1, table->count);
     else
-        ui_text(UI_DIM, viewer_is_charting(viewer)
+        ui_text(UI_DIM, viewer_is_measuring(viewer)
                             ? "waiting for the first samples of the reference ..."
                             : "A click on a row takes it.");
     int clicked = draw_rows(viewer);
@@ -123,13 +123,13 @@ void panel_draw_reference(struct viewer *viewer) {
                    "as it gets cleaner")) {
         viewer_trace(viewer);
     }
-    if (ui_wide_button("Chart speed and accuracy",
+    if (ui_wide_button("Measure speed and accuracy",
                        "times every preset and technique on this view, against its reference; a "
                        "click on one takes it")) {
-        viewer_chart(viewer);
-        viewer->panel.shows_chart = true;
+        viewer_measure(viewer);
+        viewer->panel.shows_table = true;
     }
     draw_save(viewer);
     draw_state(viewer);
-    draw_chart(viewer);
+    draw_table(viewer);
 }

@@ -8,7 +8,7 @@
 bool viewer_load_reference(struct viewer *viewer, const char *path);
 
 /* viewer_compare_reference compares with the present reference, at its size. viewer_fill_window
- * makes the picture as large as the window again and keeps the reference and its chart. */
+ * makes the picture as large as the window again and keeps the reference and its table. */
 void viewer_compare_reference(struct viewer *viewer);
 void viewer_fill_window(struct viewer *viewer);
 

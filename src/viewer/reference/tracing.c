@@ -42,7 +42,7 @@ void viewer_forget_reference(struct viewer *viewer) {
         viewer->shown.recompose = true;
     }
     session_free(&tracing->view);
-    chart_free(&tracing->chart);
+    method_table_free(&tracing->table);
     *tracing = (struct tracing){0};
 }
 
@@ -164,23 +164,23 @@ static void follow_view(struct viewer *viewer) {
         reference_tracer_stop(&tracing->tracer);
 }
 
-/* --- the chart --- */
+/* --- the table --- */
 
-void viewer_chart(struct viewer *viewer) {
+void viewer_measure(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
     if (!tracing->view.lights || !tracing->of_view)
         viewer_trace(viewer);
-    chart_plan(&tracing->chart, viewer->wish.technique, &viewer->wish.settings);
-    tracing->chart_samples = 0;
+    method_table_plan(&tracing->table, viewer->wish.technique, &viewer->wish.settings);
+    tracing->table_samples = 0;
 }
 
-bool viewer_is_charting(const struct viewer *viewer) {
-    const struct chart *chart = &viewer->tracing.chart;
-    return chart->next < chart->count;
+bool viewer_is_measuring(const struct viewer *viewer) {
+    const struct method_table *table = &viewer->tracing.table;
+    return table->next < table->count;
 }
 
 void viewer_take_row(struct viewer *viewer, int i) {
-    const struct chart_row *row = &viewer->tracing.chart.rows[i];
+    const struct method_row *row = &viewer->tracing.table.rows[i];
     struct settings settings = row->settings;
     preset_keep_tone(&settings, &viewer->wish.settings);
     viewer->wish.technique = row->technique;
@@ -191,35 +191,35 @@ void viewer_take_row(struct viewer *viewer, int i) {
 /* Against what has been traced so far. */
 static void tell_errors(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
-    struct chart *chart = &tracing->chart;
-    if (tracing->chart_samples == tracing->samples)
+    struct method_table *table = &tracing->table;
+    if (tracing->table_samples == tracing->samples)
         return;
-    tracing->chart_samples = tracing->samples;
-    for (int i = 0; i < chart->count; i++)
-        chart->rows[i].has_error =
-            chart->rows[i].state == ROW_MEASURED &&
-            indirect_error(viewer, &chart->rows[i].indirect, &chart->rows[i].error);
+    tracing->table_samples = tracing->samples;
+    for (int i = 0; i < table->count; i++)
+        table->rows[i].has_error =
+            table->rows[i].state == ROW_MEASURED &&
+            indirect_error(viewer, &table->rows[i].indirect, &table->rows[i].error);
 }
 
 /* A row a turn: it takes its time, and the panel says so first. Times are taken while nothing is
  * traced, once there is a reference at all. */
-static void follow_chart(struct viewer *viewer) {
+static void follow_table(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
-    struct chart *chart = &tracing->chart;
+    struct method_table *table = &tracing->table;
     if (tracing->samples == 0 || !tracing->of_view || viewer->shown.moving)
         return;
-    if (viewer_is_charting(viewer) && chart->is_announced) {
+    if (viewer_is_measuring(viewer) && table->is_announced) {
         reference_tracer_pause(&tracing->tracer, true);
         struct renderer_desc desc = viewer->shown.renderer.desc;
         desc.width = tracing->view.width; /* whatever has become of the window */
         desc.height = tracing->view.height;
-        if (!chart_measure_next(chart, &desc))
+        if (!method_table_measure_next(table, &desc))
             viewer_tell_error(viewer);
-        tracing->chart_samples = 0;
-        reference_tracer_pause(&tracing->tracer, viewer_is_charting(viewer));
+        tracing->table_samples = 0;
+        reference_tracer_pause(&tracing->tracer, viewer_is_measuring(viewer));
         viewer->shown.recompose = true;
     } else {
-        chart->is_announced = viewer_is_charting(viewer);
+        table->is_announced = viewer_is_measuring(viewer);
     }
     tell_errors(viewer);
 }
@@ -233,5 +233,5 @@ void viewer_follow_reference(struct viewer *viewer) {
     if (newest.image.pixels)
         show_picture(viewer, &newest);
     measure(viewer);
-    follow_chart(viewer);
+    follow_table(viewer);
 }

@@ -19,10 +19,10 @@ bool viewer_compared_error(const struct viewer *viewer, double *error);
 /* Returns that noise over the mean of the shown layer. 0: unknown. */
 double viewer_reference_noise(const struct viewer *viewer);
 
-/* viewer_chart measures presets and techniques on the view, and traces its reference if there is
+/* viewer_measure measures presets and techniques on the view, and traces its reference if there is
  * none. viewer_take_row applies the settings of row i to the picture. */
-void viewer_chart(struct viewer *viewer);
-bool viewer_is_charting(const struct viewer *viewer);
+void viewer_measure(struct viewer *viewer);
+bool viewer_is_measuring(const struct viewer *viewer);
 void viewer_take_row(struct viewer *viewer, int i);
 
 #endif

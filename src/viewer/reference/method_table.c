@@ -1,4 +1,4 @@
-#include "viewer/reference/chart.h"
+#include "viewer/reference/method_table.h"
 
 #include "base/clock.h"
 #include "metrics/layer.h"
@@ -10,51 +10,51 @@
 
 /* --- what is measured --- */
 
-static void add(struct chart *chart, const char *name, const struct technique *technique,
+static void add(struct method_table *table, const char *name, const struct technique *technique,
                 const struct settings *settings) {
-    if (chart->count == CHART_MAX)
+    if (table->count == METHOD_ROWS_MAX)
         return;
-    struct chart_row *row = &chart->rows[chart->count++];
-    *row = (struct chart_row){.technique = technique, .settings = *settings};
+    struct method_row *row = &table->rows[table->count++];
+    *row = (struct method_row){.technique = technique, .settings = *settings};
     snprintf(row->name, sizeof row->name, "%s", name);
 }
 
-static bool has(const struct chart *chart, const struct technique *technique,
+static bool has(const struct method_table *table, const struct technique *technique,
                 const struct settings *settings) {
-    for (int i = 0; i < chart->count; i++)
-        if (chart->rows[i].technique == technique &&
-            renderer_settings_same(&chart->rows[i].settings, settings, technique->parts))
+    for (int i = 0; i < table->count; i++)
+        if (table->rows[i].technique == technique &&
+            renderer_settings_same(&table->rows[i].settings, settings, technique->parts))
             return true;
     return false;
 }
 
-void chart_plan(struct chart *chart, const struct technique *technique,
-                const struct settings *settings) {
-    chart_free(chart);
+void method_table_plan(struct method_table *table, const struct technique *technique,
+                       const struct settings *settings) {
+    method_table_free(table);
     for (const struct preset *p = technique_default->presets; p && p->name; p++) {
         struct settings with = preset_settings(p, settings);
         char title[PRESET_TITLE_SIZE];
         preset_title(p, title);
-        add(chart, title, technique_default, &with);
+        add(table, title, technique_default, &with);
     }
     struct settings usual = preset_settings(NULL, settings);
     for (const struct technique *const *t = techniques; *t; t++)
         if (*t != technique_default)
-            add(chart, (*t)->name, *t, &usual);
-    if (!has(chart, technique, settings))
-        add(chart, "as it is", technique, settings);
+            add(table, (*t)->name, *t, &usual);
+    if (!has(table, technique, settings))
+        add(table, "as it is", technique, settings);
 }
 
-void chart_free(struct chart *chart) {
-    for (int i = 0; i < chart->count; i++)
-        image_free(&chart->rows[i].indirect);
-    *chart = (struct chart){0};
+void method_table_free(struct method_table *table) {
+    for (int i = 0; i < table->count; i++)
+        image_free(&table->rows[i].indirect);
+    *table = (struct method_table){0};
 }
 
 /* --- measuring --- */
 
 /* Triangles drawn into maps of single lights: software OpenGL draws some millions a second. */
-static bool takes_minutes(const struct chart_row *row, const struct renderer_desc *shown) {
+static bool takes_minutes(const struct method_row *row, const struct renderer_desc *shown) {
     static const double triangles_at_most = 6e7;
     bool map_per_light = strcmp(row->technique->name, "instant-radiosity") == 0;
     struct settings chosen =
@@ -84,7 +84,7 @@ static double time_frames(struct renderer *renderer) {
     return summary_of(ms, count).value;
 }
 
-static bool measure(struct chart_row *row, const struct renderer_desc *shown) {
+static bool measure(struct method_row *row, const struct renderer_desc *shown) {
     struct renderer renderer;
     struct image all = {0};
     struct renderer_desc desc = *shown;
@@ -101,9 +101,9 @@ static bool measure(struct chart_row *row, const struct renderer_desc *shown) {
     return ok;
 }
 
-bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown) {
-    struct chart_row *row = &chart->rows[chart->next++];
-    chart->is_announced = false;
+bool method_table_measure_next(struct method_table *table, const struct renderer_desc *shown) {
+    struct method_row *row = &table->rows[table->next++];
+    table->is_announced = false;
     row->state = ROW_LEFT_OUT;
     if (takes_minutes(row, shown))
         return true;
@@ -113,11 +113,11 @@ bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown) 
     return ok;
 }
 
-int chart_cheapest(const struct chart *chart, double error) {
+int method_table_cheapest(const struct method_table *table, double error) {
     int best = -1;
-    for (int i = 0; i < chart->count; i++) {
-        const struct chart_row *row = &chart->rows[i];
-        if (row->has_error && row->error < error && (best < 0 || row->ms < chart->rows[best].ms))
+    for (int i = 0; i < table->count; i++) {
+        const struct method_row *row = &table->rows[i];
+        if (row->has_error && row->error < error && (best < 0 || row->ms < table->rows[best].ms))
             best = i;
     }
     return best;
